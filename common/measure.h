@@ -1,0 +1,43 @@
+// measure: the clock around glFinish is run's; here are the statistics of repeats, CSV files, gnuplot figures, the machine line.
+#ifndef MEASURE_H
+#define MEASURE_H
+
+#include "image.h"
+
+// Monotonic, milliseconds.
+double measure_now_ms(void);
+
+// Of n ≥ 1 values (GSL; the input is not changed).
+typedef struct Statistics {
+    double median, least, most;
+} Statistics;
+Statistics measure_statistics(const double *values, size_t count);
+// Slope of log(y) over log(x) by least squares (GSL), for orders of convergence and growth; NaN for fewer than two positive points.
+double measure_order(const double *x, const double *y, size_t count);
+
+// What a figure is measured on: CPU, cores, threads, Mesa and LLVM as in GL's renderer string, commit, command. One line each, for CSV comments.
+typedef struct Machine {
+    char *lines[6]; // "renderer: …", "cpu: …", "threads: …", "commit: …", "command: …", "date: …"
+} Machine;
+Machine measure_machine(const char *gl_renderer, const char *gl_version, int argc, char *const *argv);
+void measure_machine_free(Machine *machine);
+
+// A CSV file, whole or not at all: comments first, then the header, then rows; a field with a comma or quote is quoted. Flushed a row at a
+// time into the temporary name, so that a kill loses nothing but the rename.
+typedef struct Csv Csv;
+Csv *csv_open(const char *path, const Machine *machine, const char *header);
+void csv_row(Csv *csv, const char *const *fields, size_t count);
+void csv_close(Csv *csv); // renames it to its path
+
+// Largest resident set of this process so far, bytes.
+size_t measure_peak_bytes(void);
+
+// Error over run time, log-log, one curve a technique, from a sweep's rows (gnuplot on SVG or PNG by the path's ending).
+// Ends the program where gnuplot is missing or fails.
+typedef struct FigurePoint {
+    const char *technique;
+    double ms, ms_least, ms_most, error;
+} FigurePoint;
+void measure_figure(const char *path, const char *title, const char *metric, const FigurePoint *points, size_t count, const Machine *machine);
+
+#endif

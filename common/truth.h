@@ -1,0 +1,37 @@
+// truth: what pictures and grids are judged by. It shares no code with any technique: Embree for rays, separating axes in double for voxels.
+#ifndef TRUTH_H
+#define TRUTH_H
+
+#include "linear.h"
+#include "scene.h"
+
+// Rays against triangles (Embree, robust mode). Vertices are the mesh's own float32 values.
+typedef struct Truth Truth;
+typedef struct TruthHit {
+    float distance; // metres along the unit direction; +Inf: nothing was hit
+    uint32_t triangle;
+    vec3 normal; // geometric, unit, as the triangle winds
+} TruthHit;
+Truth *truth_open(const Mesh *mesh);
+void truth_close(Truth *truth);
+TruthHit truth_ray(const Truth *truth, vec3 origin, vec3 direction);
+bool truth_occluded(const Truth *truth, vec3 from, vec3 to);
+
+// The closed box of every voxel against every triangle that may touch it, by the 13 separating axes in double (Akenine-Möller 2001).
+// Bits as grid_words says, in new memory. Triangles that touch in a point, an edge or a face count.
+uint32_t *truth_voxels(const Mesh *mesh, const VoxelGrid *grid);
+// The signed gap of one triangle and one voxel in voxels: the largest over the 13 axes (unit length) of the distance between the two
+// projections; at most 0 where they touch. Its rounding error is below TRUTH_GAP_BOUND(mesh, grid), proven in truth_voxels.c.
+double truth_voxel_gap(const float triangle[9], const VoxelGrid *grid, const int voxel[3]);
+double truth_gap_bound(const Mesh *mesh, const VoxelGrid *grid);
+
+// The boxes of set voxels as a mesh (outer faces only), for a picture of voxels by Embree that shares nothing with a grid walk.
+// Normals point out of the voxel.
+Mesh truth_voxel_mesh(const uint32_t *voxels, const VoxelGrid *grid);
+
+// Cache under out/truth: the path of the file for this key. The key also holds a hash of truth's own source, so that a changed truth
+// is computed anew. `inputs` hashes everything that the picture depends on (hash_bytes).
+char *truth_cache_path(const char *what, uint64_t inputs, const char *ending); // caller frees; folder is made
+uint64_t truth_hash_scene(const Scene *scene);
+
+#endif
