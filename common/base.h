@@ -10,11 +10,10 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#define BASE_NORETURN __attribute__((noreturn)) // in C and C++ alike
+
 #ifdef __cplusplus
 extern "C" {
-#define BASE_NORETURN [[noreturn]]
-#else
-#define BASE_NORETURN _Noreturn
 #endif
 
 // Print "PROGRAM: MESSAGE" as one line on stderr, remove temporary files, exit with status 1 (the work failed).
@@ -25,6 +24,9 @@ BASE_NORETURN void fail_request(const char *format, ...) __attribute__((format(p
 
 // Print "PROGRAM: note: MESSAGE" on stderr and go on.
 void note(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+// count × size; ends the program, naming `what` and the bytes needed, where it overflows or exceeds the machine's memory.
+size_t memory_bytes(size_t count, size_t size, const char *what);
 
 // count × size bytes, zeroed (memory_new) or grown (memory_grow); count × size may not overflow.
 // A request that cannot be met ends the program, naming `what` and the bytes needed.
@@ -38,7 +40,8 @@ char *text_format(const char *format, ...) __attribute__((format(printf, 1, 2)))
 char *file_read(const char *path, size_t *bytes);
 
 // A path beside `path`, with the same ending, to be written first; file_commit renames it to `path` and ends the
-// program where that fails. What was begun and not committed is removed when the program ends or fails.
+// program where that fails. What was begun and not committed is removed when the program ends, fails or is interrupted.
+// A path that is a device or a pipe (/dev/stdout, /dev/full) is written directly, never replaced: its writer sees the errors.
 const char *file_begin(const char *path);
 void file_commit(const char *temporary);
 

@@ -34,6 +34,9 @@ bool gl_display_present(void);      // whether a window could be opened at all (
 // Ends the program if GL holds an error; `where` says after what. Debug messages of high severity and GL errors end it by themselves.
 void gl_check(const char *where);
 
+// The label of the program in use (shader_use calls this), which errors name; NULL: none. The label must outlive its use.
+void gl_name_program(const char *label);
+
 typedef struct GlBuffer {
     const char *label;
     size_t bytes;
@@ -51,7 +54,7 @@ typedef struct GlTexture {
     int levels;    // 0: 1
     GLenum filter; // 0: GL_NEAREST (magnification; minification takes mipmaps where levels > 1)
     GLenum wrap;   // 0: GL_CLAMP_TO_EDGE
-} GlTexture;
+} GlTexture;       // its texels are undefined until written
 #define gl_texture(...) gl_texture_make(&(GlTexture){__VA_ARGS__})
 GLuint gl_texture_make(const GlTexture *descriptor);
 // One level as the given client format, tightly packed, bottom row first.

@@ -15,13 +15,14 @@ void shader_search_first(const char *folder);
 void shader_define_all(const char *name, int value);
 
 // Compile and link the stages named after `definitions` ("RESOLUTION 64\nLIGHTS 2", or NULL). Ends the program (status 1) with one line
-// "FILE:LINE: what the compiler said".
-#define shader_open(label, definitions, ...) shader_open_stages(label, definitions, (const char *[]){__VA_ARGS__, NULL})
+// "FILE:LINE: what the compiler said". Label and file names are kept, not copied.
+#define shader_open(label, definitions, ...)                                                                 \
+    shader_open_stages(label, definitions, (const char *[]){__VA_ARGS__, NULL})
 Shader *shader_open_stages(const char *label, const char *definitions, const char *const *stage_files);
 void shader_close(Shader *shader); // NULL is allowed
 
 // Compile anew every open shader one of whose files has changed. A shader that fails keeps its last good program; *error (free it)
-// then holds the one-line message, else NULL. Returns how many were replaced.
+// then holds the one-line message, else NULL. Returns how many were replaced: their uniforms are 0 until set again.
 int shader_reload_changed(char **error);
 // As above for every open shader, changed or not.
 int shader_reload_all(char **error);

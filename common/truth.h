@@ -12,21 +12,26 @@ typedef struct TruthHit {
     uint32_t triangle;
     vec3 normal; // geometric, unit, as the triangle winds
 } TruthHit;
-Truth *truth_open(const Mesh *mesh);
-void truth_close(Truth *truth);
+Truth *truth_open(const Mesh *mesh); // copies what it needs; the mesh may be empty
+void truth_close(Truth *truth);      // NULL is allowed
+// `direction` is unit. Nothing is left out near the origin: a ray that starts on a triangle may hit it.
 TruthHit truth_ray(const Truth *truth, vec3 origin, vec3 direction);
+// Whether a triangle crosses the open segment. So that its ends may be float32 points of surfaces, the larger of 2^-16 of its length
+// and 2^-21 of the largest coordinate of either end (4 units in its last place) is left out at both ends.
 bool truth_occluded(const Truth *truth, vec3 from, vec3 to);
 
 // The closed box of every voxel against every triangle that may touch it, by the 13 separating axes in double (Akenine-Möller 2001).
 // Bits as grid_words says, in new memory. Triangles that touch in a point, an edge or a face count.
 uint32_t *truth_voxels(const Mesh *mesh, const VoxelGrid *grid);
 // The signed gap of one triangle and one voxel in voxels: the largest over the 13 axes (unit length) of the distance between the two
-// projections; at most 0 where they touch. Its rounding error is below TRUTH_GAP_BOUND(mesh, grid), proven in truth_voxels.c.
+// projections; at most 0 exactly where truth_voxels sets the voxel. Its rounding error is below truth_gap_bound of a mesh with that
+// triangle, in voxels; the proof is in truth_voxels.c. Infinite where a triangle's plane is lost to rounding.
 double truth_voxel_gap(const float triangle[9], const VoxelGrid *grid, const int voxel[3]);
 double truth_gap_bound(const Mesh *mesh, const VoxelGrid *grid);
 
 // The boxes of set voxels as a mesh (outer faces only), for a picture of voxels by Embree that shares nothing with a grid walk.
-// Normals point out of the voxel.
+// Normals point out of the voxel; a triangle's material is the number i of its voxel (see grid_words), so that a picture can colour by voxel.
+// Four float32 vertices a face, equal where faces meet. Ends the program where voxels or vertices are more than 2^32 − 1.
 Mesh truth_voxel_mesh(const uint32_t *voxels, const VoxelGrid *grid);
 
 // Cache under out/truth: the path of the file for this key. The key also holds a hash of truth's own source, so that a changed truth
