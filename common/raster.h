@@ -18,40 +18,53 @@ void raster_mesh_delete(RasterMesh *mesh);
 // Draw with the current program.
 void raster_draw(const RasterMesh *mesh);
 
-// The depth of the first surface along each light ray. spot: 2D, perspective; directional: 2D, orthographic, fitted to the scene's box (and, where
-// a camera is given, to what of it the camera can see); point: cube, six layers in one pass. Depth is stored as GL_R32F: distance
-// from the light in metres (spot, point: Euclidean; directional: along its way from the map's plane), +Inf where nothing is hit.
-// It is read by imageLoad (the fast way here) through shaders/common/shadow.glsl.
-typedef struct DepthMap {
-    LightKind kind;
-    int resolution;             // texels a side
-    GLuint distance, depth, framebuffer;
-    mat4 world_to_clip[6];      // 1, or 6 for a point light in GL's cube face order
-} DepthMap;
-DepthMap raster_depth_map(const Scene *scene, const Light *light, int resolution, const Camera *fit_to, float aspect);
-void raster_depth_map_delete(DepthMap *map);
-// The passes' own shaders.
+// The passes' own shaders and the empty vertex array of the full-screen triangle. Every pass sets the state that it needs and leaves
+// depth test, blending and face culling off, clip control at its default.
 typedef struct Raster Raster;
 Raster *raster_open(void);
-void raster_close(Raster *raster);
-void raster_depth_map_draw(const Raster *raster, const DepthMap *map, const Light *light, const RasterMesh *mesh);
+void raster_close(Raster *raster); // NULL is allowed
 
-// What the camera sees, a texel a pixel: distance along the ray in metres (R32F, +Inf for the sky), world normal (RGBA16F), albedo (RGBA8),
-// emission (RGBA16F), triangle number + 1 (R32UI, 0 for the sky).
+// The distance of the first surface along each light ray. spot: 2D, perspective, the cone's circle fills the square; directional: 2D, orthographic, fitted
+// to the scene's box (and, where a camera is given, to what of the box it can see; what lies between there and the light still casts); point, and
+// spots wider than 80° half angle: cube, six layers in one pass. Stored as GL_R32F in metres: from the light (point, spot: Euclidean) or along
+// the light's way from the plane through `origin` (directional); +Inf where nothing is hit. Surfaces nearer to a point or spot
+// light than 10⁻⁶ of the scene's diagonal are lost; nothing else is. It is read by imageLoad (the fast way here) through shaders/common/shadow.glsl.
+// Positions are always relative to `origin`, so that a scene far from the world's origin loses nothing.
+typedef struct DepthMap {
+    LightKind kind; // LIGHT_POINT: `distance` is a 2D array of 6 layers in GL's cube face order, else 2D
+    int resolution; // texels a side
+    GLuint distance, framebuffer;
+    vec3 origin;         // the light (point, spot), or a point before the whole scene (directional)
+    mat4 to_clip;        // spot, directional: clip = to_clip · (position − origin, 1)
+    float near_distance; // metres along the axis (point, spot)
+    float texel_size;    // metres a texel covers, 1 m along the axis (point, spot) or anywhere (directional)
+} DepthMap;
+DepthMap raster_depth_map(const Scene *scene, const Light *light, int resolution, const Camera *fit_to,
+                          float aspect);
+void raster_depth_map_delete(DepthMap *map);
+void raster_depth_map_draw(const Raster *raster, const DepthMap *map, const Light *light,
+                           const RasterMesh *mesh);
+
+// What the camera sees, a texel a pixel: distance along the ray in metres (R32F, +Inf for the sky), world normal on the side that is seen
+// (RGBA16F, unit length), albedo (RGBA16F: 8 bits would be 4 % wrong at 0.05), emission (RGBA16F), triangle number + 1 (R32UI); 0 for the sky. Nothing
+// nearer than the camera's near distance is drawn; its far distance cuts nothing off.
 typedef struct GBuffer {
     int width, height;
     GLuint distance, normal, albedo, emission, triangle, depth, framebuffer;
 } GBuffer;
 GBuffer raster_gbuffer(int width, int height);
 void raster_gbuffer_delete(GBuffer *gbuffer);
-void raster_gbuffer_draw(const Raster *raster, const GBuffer *gbuffer, const Camera *camera, const RasterMesh *mesh);
+void raster_gbuffer_draw(const Raster *raster, const GBuffer *gbuffer, const Camera *camera,
+                         const RasterMesh *mesh);
 
-// Direct light of one light through its depth map on the G-buffer, added to an RGBA32F picture: `raster_light_begin` clears it to emission + ambient·albedo.
+// Direct light of one light through its depth map on the G-buffer, added to an RGBA32F picture of its size: albedo/π · irradiance, point and spot
+// I·cosθ/max(d, r0)². `raster_light_begin` sets it to emission + ambient·albedo, alpha 1 (sky: black).
 void raster_light_begin(const Raster *raster, const GBuffer *gbuffer, GLuint picture, float ambient);
-void raster_light_add(const Raster *raster, const GBuffer *gbuffer, const Camera *camera, const Light *light, const DepthMap *map, GLuint picture);
+void raster_light_add(const Raster *raster, const GBuffer *gbuffer, const Camera *camera, const Light *light,
+                      const DepthMap *map, GLuint picture);
 
 // Run the shader once a pixel of `framebuffer` (0: the window): its vertex stage is common/fullscreen.vert.
-void raster_fullscreen(const Shader *shader, GLuint framebuffer, int width, int height);
+void raster_fullscreen(const Raster *raster, const Shader *shader, GLuint framebuffer, int width, int height);
 // Set the uniforms eye, ray_lower_left, ray_right, ray_up that shaders/common/camera.glsl reads: the ray through picture
 // position (u, v) in [0,1]², v up, is normalize(ray_lower_left + u·ray_right + v·ray_up).
 void raster_set_camera(const Shader *shader, const Camera *camera, float aspect);
