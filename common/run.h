@@ -33,10 +33,10 @@ typedef struct RunParameter {
 
 // One setting of a sweep or one stability case: "method=exact resolution=64". A NULL name ends a list.
 typedef struct RunRow {
-    const char *name;      // sweep: the technique; stability: the case, unique
-    const char *scene;     // NULL: the sweep's --scene or default scenes
+    const char *name;  // sweep: the technique; stability: the case, unique
+    const char *scene; // NULL: the sweep's --scene or default scenes
     const char *settings;
-    const char *size;      // "256x256" or NULL
+    const char *size; // "256x256" or NULL
 } RunRow;
 
 typedef struct RunStep {
@@ -44,15 +44,16 @@ typedef struct RunStep {
 } RunStep;
 
 // Which common settings the chapter's pictures depend on; only those exist as parameters.
-enum { RUN_USES_CAMERA = 1, RUN_USES_LIGHT = 2, RUN_USES_MEDIUM = 4 };
+// DEFORM is no parameter: --path deform moves the scene, by the chapter's own rule, where run_deforming.
+enum { RUN_USES_CAMERA = 1, RUN_USES_LIGHT = 2, RUN_USES_MEDIUM = 4, RUN_USES_DEFORM = 8 };
 
 typedef struct RunAbout {
     const char *chapter; // "01_voxelization"
     const char *title, *shows, *source;
     unsigned uses;
-    const char *const *scenes;        // default scenes by name, the first is the default; NULL ends it
-    const SceneKind *own_scenes;      // made in this chapter; may be NULL
-    const RunParameter *parameters;   // the chapter's own
+    const char *const *scenes;      // default scenes by name, the first is the default; NULL ends it
+    const SceneKind *own_scenes;    // made in this chapter; may be NULL
+    const RunParameter *parameters; // the chapter's own
     const RunStep *steps;
     const RunRow *sweep, *stability;
 } RunAbout;
@@ -77,18 +78,23 @@ double run_number(const Run *run, const char *name);
 int run_integer(const Run *run, const char *name);
 vec3 run_vector(const Run *run, const char *name);
 const char *run_choice(const Run *run, const char *name);
-bool run_chosen(const Run *run, const char *name, const char *choice); // strcmp(run_choice(…), choice) == 0; a choice not listed ends the program
+// strcmp(run_choice(…), choice) == 0; a choice not listed ends the program.
+bool run_chosen(const Run *run, const char *name, const char *choice);
 uint64_t run_seed(const Run *run);
-int run_frame_number(const Run *run); // 0, 1, …: fixed steps of 1/60 s for animation
+// 0, 1, …: fixed steps of 1/60 s for animation. Warm-up and repeats of a measurement are all frame 0, so what is built in frame 0 is measured.
+int run_frame_number(const Run *run);
+bool run_deforming(const Run *run); // --path deform
 bool run_everything(const Run *run);
-const char *run_case(const Run *run); // name of the sweep row or stability case, or NULL
-bool run_measuring_error(const Run *run);   // this setting wants run_error (a sweep)
-bool run_checking(const Run *run);          // this setting wants run_check (a stability case)
-bool run_picture_needed(const Run *run);    // false in sweep and stability rows unless a picture is measured
+const char *run_case(const Run *run);     // name of the sweep row or stability case, or NULL
+bool run_measuring_error(const Run *run); // this setting wants run_error (a sweep)
+bool run_checking(const Run *run);        // this setting wants run_check (a stability case)
+bool run_picture_needed(const Run *run);  // false in sweep and stability rows unless a picture is measured
 
-// Begin a pass; it lasts until the next one or the frame's end. Returns whether to do it: `needed`, or --everything. A pass that is left out is
+// Begin a pass; it lasts until the next one, a step or the frame's end. Returns whether to do it: `needed`, or --everything. A pass that is left out is
 // listed by --plan with `reason_if_left_out`. After the step at which --step stops, no pass runs. A pass that always runs: run_pass(run, "name", true, NULL).
 bool run_pass(Run *run, const char *name, bool needed, const char *reason_if_left_out);
+// A name may come again in a frame: its passes are added up. --plan counts fragments, primitives and compute invocations by itself, as the
+// renderer does (a software one: in whole blocks of pixels). Strings are kept by pointer: literals.
 // As run_pass for work that is not the technique's own (map, G-buffer, display): counted in ms_frame, not in ms_technique.
 bool run_pass_common(Run *run, const char *name, bool needed, const char *reason_if_left_out);
 // Add to the current pass: a machine-independent count; or how many of its items were left out inside it.
@@ -97,16 +103,18 @@ void run_skipped(Run *run, double skipped, double of);
 
 // The picture (RGBA32F texture, linear radiance, the run's size) of a named step; the last step reached is shown, --step stops there.
 void run_step(Run *run, const char *name, GLuint picture);
-bool run_stopped(const Run *run); // the --step asked for has been reached in this frame
+bool run_stopped(const Run *run);  // the --step asked for has been reached in this frame
 Image run_picture(const Run *run); // the shown picture of the last frame, top row first; the caller frees it
 
-// --truth FILE was given: give the picture to write for this setting's view.
+// --truth FILE was given: give the picture to write for this setting's view (asked in the last frame and after it). In a sweep with --path it is
+// asked in each frame, for flicker. Ask after the frame's last step, so that no pass is charged for it.
 bool run_truth_wanted(const Run *run);
 void run_truth(Run *run, const Image *truth);
 
 // One row of the sweep's CSV for this setting: reference is "truth" or "converged".
 void run_error(Run *run, const char *reference, const char *metric, double error);
-void run_error_image(Run *run, const char *reference, const Image *got, const Image *expected); // nrmse, rel_rmse, p99_abs, max_abs, mean_ratio
+// The rows nrmse, rel_rmse, p99_abs, max_abs, mean_ratio; a picture with NaN or Inf ends the program.
+void run_error_image(Run *run, const char *reference, const Image *got, const Image *expected);
 // One row of the stability CSV: passes where |got − expected| ≤ tolerance and nonfinite is 0.
 void run_check(Run *run, const char *quantity, double expected, double got, double tolerance, long nonfinite);
 

@@ -14,6 +14,15 @@ typedef struct Failure {
     char message[2048]; // all that it wrote on stderr
 } Failure;
 
+// The child ends here, after what the function itself registered: the destructors of C++ libraries would wait for threads
+// that fork did not copy, for ever.
+static void failure_end_child(int status, void *unused)
+{
+    (void)unused;
+    fflush(NULL);
+    _exit(status);
+}
+
 // Run the function in a child process.
 static inline Failure failure_of(void (*function)(void))
 {
@@ -25,6 +34,7 @@ static inline Failure failure_of(void (*function)(void))
     pid_t child = fork();
     if (child == 0) {
         dup2(file, STDERR_FILENO);
+        on_exit(failure_end_child, NULL);
         function();
         _exit(0);
     }
