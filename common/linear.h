@@ -54,27 +54,25 @@ vec3 vec3_min(vec3 a, vec3 b);
 vec3 vec3_max(vec3 a, vec3 b);
 bool vec3_is_finite(vec3 a);
 
-mat4 mat4_identity(void);
-mat4 mat4_multiply(mat4 a, mat4 b);           // a · b: b is applied first
-vec4 mat4_transform(mat4 m, vec4 v);          // m · v
+mat4 mat4_multiply(mat4 a, mat4 b);            // a · b: b is applied first
+vec4 mat4_transform(mat4 m, vec4 v);           // m · v
 vec3 mat4_transform_point(mat4 m, vec3 point); // (m · (point, 1)).xyz / w
-mat4 mat4_inverse(mat4 m);
-mat4 mat4_translation(vec3 by);
-mat4 mat4_scaling(vec3 by);
-mat4 mat4_from_quat(quat rotation);
+mat4 mat4_inverse(mat4 m);                     // not finite for a singular m
 mat4 mat4_perspective(float vertical_fov_rad, float aspect, float near_distance, float far_distance);
-mat4 mat4_orthographic(float left, float right, float bottom, float top, float near_distance, float far_distance);
-// `up` may be parallel to the view direction: another axis is then taken.
+mat4 mat4_orthographic(float left, float right, float bottom, float top, float near_distance,
+                       float far_distance);
+// `up` may be zero or parallel to the view direction: another axis is then taken; eye = target looks down -z.
 mat4 mat4_look_at(vec3 eye, vec3 target, vec3 up);
 
+// By the right-hand rule about a unit axis.
 quat quat_rotation(float angle_rad, vec3 axis);
-quat quat_multiply(quat a, quat b); // b is applied first
 vec3 quat_rotate(quat rotation, vec3 v);
 
 mat4 camera_view(Camera camera);
 mat4 camera_projection(Camera camera, float aspect);
-// Turn the eye about the target (yaw about `up`, pitch about the camera's right, stopped short of the poles)
-// and scale its distance by `zoom`.
+// Turn the eye about the target and scale its distance by `zoom`. Positive yaw turns about `up` by the right-hand rule,
+// positive pitch raises the eye towards `up`, stopped 0.01 rad short of the poles. A turn or zoom that float cannot hold
+// (eye on the target, or infinitely far) is left out.
 Camera camera_orbit(Camera camera, float yaw_rad, float pitch_rad, float zoom);
 
 #ifdef __cplusplus

@@ -12,18 +12,22 @@ typedef struct Statistics {
     double median, least, most;
 } Statistics;
 Statistics measure_statistics(const double *values, size_t count);
-// Slope of log(y) over log(x) by least squares (GSL), for orders of convergence and growth; NaN for fewer than two positive points.
+// Slope of log(y) over log(x) by least squares (GSL), for orders of convergence and growth. Only pairs of positive finite numbers count;
+// NaN for fewer than two different x among them.
 double measure_order(const double *x, const double *y, size_t count);
 
 // What a figure is measured on: CPU, cores, threads, Mesa and LLVM as in GL's renderer string, commit, command. One line each, for CSV comments.
+enum { MACHINE_LINES = 6 };
 typedef struct Machine {
-    char *lines[6]; // "renderer: …", "cpu: …", "threads: …", "commit: …", "command: …", "date: …"
+    char *lines
+        [MACHINE_LINES]; // "renderer: …", "cpu: …", "threads: …", "commit: …", "command: …", "date: …"; NULL: not known
 } Machine;
+// The commit is that of the repository in which the running program lies, with +changes where tracked files differ from it.
 Machine measure_machine(const char *gl_renderer, const char *gl_version, int argc, char *const *argv);
 void measure_machine_free(Machine *machine);
 
-// A CSV file, whole or not at all: comments first, then the header, then rows; a field with a comma or quote is quoted. Flushed a row at a
-// time into the temporary name, so that a kill loses nothing but the rename.
+// A CSV file, whole or not at all: comments first, then the header, then rows; a field with a comma, quote or line break is quoted (RFC 4180).
+// Flushed a row at a time into the temporary name, so that a kill loses nothing but the rename.
 typedef struct Csv Csv;
 Csv *csv_open(const char *path, const Machine *machine, const char *header);
 void csv_row(Csv *csv, const char *const *fields, size_t count);
@@ -32,12 +36,14 @@ void csv_close(Csv *csv); // renames it to its path
 // Largest resident set of this process so far, bytes.
 size_t measure_peak_bytes(void);
 
-// Error over run time, log-log, one curve a technique, from a sweep's rows (gnuplot on SVG or PNG by the path's ending).
-// Ends the program where gnuplot is missing or fails.
+// Error over run time, log-log, one curve a technique (in the order of its points), the Pareto front in grey, from a sweep's rows (gnuplot; SVG
+// or PNG by the path's ending). An error or time of 0 has no place on a log axis: it is drawn, hollow, at a floor that the figure states; what is
+// not finite is left out and counted there. Ends the program where gnuplot is missing or fails or no point can be drawn.
 typedef struct FigurePoint {
     const char *technique;
     double ms, ms_least, ms_most, error;
 } FigurePoint;
-void measure_figure(const char *path, const char *title, const char *metric, const FigurePoint *points, size_t count, const Machine *machine);
+void measure_figure(const char *path, const char *title, const char *metric, const FigurePoint *points,
+                    size_t count, const Machine *machine);
 
 #endif
