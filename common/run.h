@@ -113,8 +113,6 @@ void run_truth(Run *run, const Image *truth);
 
 // One row of the sweep's CSV for this setting: reference is "truth" or "converged".
 void run_error(Run *run, const char *reference, const char *metric, double error);
-// The rows nrmse, rel_rmse, p99_abs, max_abs, mean_ratio; a picture with NaN or Inf ends the program.
-void run_error_image(Run *run, const char *reference, const Image *got, const Image *expected);
 // One row of the stability CSV: passes where |got − expected| ≤ tolerance and nonfinite is 0.
 void run_check(Run *run, const char *quantity, double expected, double got, double tolerance, long nonfinite);
 

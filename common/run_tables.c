@@ -127,19 +127,6 @@ void run_error(Run *run, const char *reference, const char *metric, double error
     free(settings);
 }
 
-void run_error_image(Run *run, const char *reference, const Image *got, const Image *expected)
-{
-    ImageError error = image_compare(got, expected);
-    if (error.nonfinite)
-        fail_work("sweep row %s, scene %s: %ld values of the picture are NaN or Inf", run_case(run),
-                  run->scene_name, error.nonfinite);
-    run_error(run, reference, "nrmse", error.nrmse);
-    run_error(run, reference, "rel_rmse", error.rel_rmse);
-    run_error(run, reference, "p99_abs", error.p99_abs);
-    run_error(run, reference, "max_abs", error.max_abs);
-    run_error(run, reference, "mean_ratio", error.mean_ratio);
-}
-
 void run_check(Run *run, const char *quantity, double expected, double got, double tolerance, long nonfinite)
 {
     double error = got == expected ? 0 : fabs(got - expected); // an expected infinity is met by the same

@@ -1,0 +1,178 @@
+# The Voxel Light Workbook. `make help` lists the commands.
+#
+# Variables for the command line: CC=gcc|clang, BUILD=folder, OPT="-O2 -g", WERROR=1, SANITIZE=-fsanitize=…, V=1 (print whole commands),
+# ARGS="options of make NN".
+# Everything made goes to $(BUILD) and out/. A change of compiler or flags rebuilds (the stamp $(BUILD)/flags); clang has a folder of its own.
+.SUFFIXES:
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.DEFAULT_GOAL := all
+.DELETE_ON_ERROR:
+
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+CC    ?= gcc
+CXX   := $(if $(findstring clang,$(CC)),$(subst clang,clang++,$(CC)),$(subst gcc,g++,$(CC)))
+BUILD ?= build$(if $(findstring clang,$(CC)),/clang)
+OPT   ?= -O2 -g
+
+# One pkg-config call, anew in each make: `make run` installs first and builds in a second make, which sees what has arrived. OSMesa may be
+# missing (it left Mesa in 25.1): the programs are then built without it and run on EGL.
+PACKAGES := egl glfw3 OpenImageIO assimp gsl
+PKG      := $(shell { pkg-config --cflags --libs $(PACKAGES) $$(pkg-config --exists osmesa && echo osmesa); } 2>/dev/null)
+SYSTEM   := $(patsubst -I%,-isystem %,$(filter -I% -D%,$(PKG)))
+PKG_LIBS := $(filter-out -I% -D% -std=%,$(PKG))
+
+WARN     := -Wall -Wextra -Wshadow -Wconversion -Wno-psabi $(if $(WERROR),-Werror)
+CPPFLAGS := -D_GNU_SOURCE -Icommon $(SYSTEM)
+CFLAGS   := -std=gnu17 $(OPT) $(WARN) $(SANITIZE)
+CXXFLAGS := -std=c++17 $(OPT) $(WARN) $(SANITIZE)
+LDLIBS   := -Wl,--as-needed $(PKG_LIBS) -lembree3 -lpthread -ldl -lm
+
+# One short line a file: what is made, by what.
+SAY = $(if $(V),,@printf '  %-4s %s\n' '$(1)' '$(2)';)
+
+OBJ      := $(BUILD)/obj
+objects   = $(patsubst %,$(OBJ)/%.o,$(wildcard $(1)))
+COMMON   := $(call objects,common/*.c common/*.cpp)
+CHAPTERS := $(sort $(patsubst chapters/%/main.c,%,$(wildcard chapters/*/main.c)))
+PROGRAMS := $(addprefix $(BUILD)/,$(CHAPTERS))
+TECHNIQUES := $(filter-out %/main.c.o,$(call objects,chapters/*/*.c))
+TESTS    := $(call objects,tests/test_*.c)
+SLOW     := $(call objects,tests/slow_*.c)
+SUPPORT  := $(call objects,tests/support*.c)
+TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/triangle.c))
+SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c)
+
+export BUILD
+export MESA_SHADER_CACHE_DIR := $(abspath $(if $(filter build/%,$(BUILD)),build,$(BUILD)))/mesa-cache
+
+all: $(PROGRAMS) ## build every program into build/ (the default)
+	@mkdir -p out
+
+# --- objects and programs -------------------------------------------------------------------------------------------------
+# Stamps are rewritten only when their text changes, so they are newer than an object only when it must be made again.
+STAMP = @mkdir -p $(@D); echo '$(1)' | cmp -s - $@ || echo '$(1)' > $@
+$(BUILD)/flags: FORCE
+	$(call STAMP,$(CC) $(CXX) $(CPPFLAGS) $(CFLAGS) $(CXXFLAGS))
+$(BUILD)/members: FORCE
+	$(call STAMP,$(COMMON) $(TECHNIQUES))
+FORCE:
+
+$(OBJ)/%.c.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call SAY,cc,$<)$(CC) $(CPPFLAGS) $(DEFINE) $(CFLAGS) -MMD -MP -c $< -o $@
+$(OBJ)/%.cpp.o: %.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call SAY,c++,$<)$(CXX) $(CPPFLAGS) $(CXXFLAGS) -MMD -MP -c $< -o $@
+
+# truth's cache keys hold a hash of truth's own source, so that a changed truth is computed anew.
+TRUTH := $(wildcard common/truth*.c common/truth.h)
+$(filter $(OBJ)/common/truth%,$(COMMON)): DEFINE = -DTRUTH_SOURCE_HASH="\"$$(cat $(TRUTH) | sha1sum | cut -c1-40)\""
+$(filter $(OBJ)/common/truth%,$(COMMON)): $(TRUTH)
+
+ARCHIVE = @rm -f $@; ar rcs $@ $(filter %.o,$^)
+$(BUILD)/libcommon.a: $(COMMON) $(BUILD)/members
+	$(ARCHIVE)
+$(BUILD)/libtechniques.a: $(TECHNIQUES) $(BUILD)/members
+	$(ARCHIVE)
+
+LINK = $(call SAY,link,$@)$(CXX) $(SANITIZE) $(filter %.o %.a,$^) $(1) $(LDLIBS) -o $@
+define CHAPTER
+$(BUILD)/$(1): $(call objects,chapters/$(1)/*.c) $(BUILD)/libcommon.a
+	$$(call LINK)
+.PHONY: $(firstword $(subst _, ,$(1)))
+$(firstword $(subst _, ,$(1))): $(BUILD)/$(1)
+	$$< $$(ARGS)
+$(BUILD)/only/test_$(firstword $(subst _, ,$(1)))%: $(filter-out %/main.c.o,$(call objects,chapters/$(1)/*.c))
+endef
+$(foreach c,$(CHAPTERS),$(eval $(call CHAPTER,$(c))))
+
+# The proof that gl and shader stand alone: nothing else is linked.
+$(BUILD)/triangle: $(OBJ)/tests/triangle.c.o $(call objects,common/base*.c common/gl*.c common/shader*.c)
+	$(call LINK)
+$(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)): $(BUILD)/%: $(OBJ)/tests/tools/%.c.o $(BUILD)/libcommon.a
+	$(call LINK)
+
+# --- tests ----------------------------------------------------------------------------------------------------------------
+# One test file alone: make build/only/test_scene. A chapter's test (test_01_…) is linked with its chapter's technique.
+$(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
+	@mkdir -p $(@D)
+	$(call LINK,-lcriterion)
+$(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
+	$(call LINK,-lcriterion)
+$(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
+	$(call LINK,-lcriterion)
+
+test: ## install what tests need, build, run every fast test; JUnit in build/junit.xml
+	@$(MAKE) deps-test
+	@$(MAKE) test-now
+test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all
+	@sh tests/tools/run_tests.sh $(BUILD)/test_all $(BUILD)/junit.xml
+
+test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants, the README's commands (TESTED=1: make test has just passed)
+	$(if $(TESTED),,@$(MAKE) test)
+	$(if $(SLOW),@$(MAKE) test-slow)
+	@$(MAKE) sanitize
+	@$(MAKE) test-clang
+	@$(MAKE) test-mutants
+	@$(MAKE) test-readme
+	@cat $(BUILD)/*.synthesis $(BUILD)/sanitize/*.synthesis $(BUILD)/clang/*.synthesis
+test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow
+	@sh tests/tools/run_tests.sh $(BUILD)/test_slow $(BUILD)/junit_slow.xml
+test-clang:
+	@$(MAKE) CC=clang BUILD=build/clang WERROR=1 test-now
+test-mutants: $(BUILD)/test_all ## each tests/mutants/code/*.diff must turn the test that it names red
+	@sh tests/tools/mutants.sh
+test-readme: $(PROGRAMS) ## run the commands that README and lessons print
+	@sh tests/tools/readme_commands.sh README.md chapters/README.md $(wildcard chapters/*/README.md)
+
+SANITIZERS := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+sanitize: ## build with address and undefined-behaviour sanitizers into build/sanitize and run the tests there
+	@rm -rf build/sanitize/log && mkdir -p build/sanitize/log
+	@ASAN_OPTIONS=abort_on_error=1:log_path=$(CURDIR)/build/sanitize/log/report UBSAN_OPTIONS=abort_on_error=1:print_stacktrace=1 \
+	  LSAN_OPTIONS=exitcode=0:suppressions=$(CURDIR)/tests/tools/lsan.supp:print_suppressions=0 \
+	  $(MAKE) BUILD=build/sanitize OPT="-O1 -g" SANITIZE="$(SANITIZERS)" WERROR= test-now
+	@sh tests/tools/sanitizer_logs.sh build/sanitize/log
+
+# --- what a reader wants ----------------------------------------------------------------------------------------------------
+run: ## install what is missing, build, render every chapter to out/ and out/index.html
+	@$(MAKE) deps
+	@$(MAKE) run-now
+run-now: $(PROGRAMS) $(if $(wildcard tests/tools/compare.c),$(BUILD)/compare)
+	@sh tests/tools/render_all.sh $(BUILD) out $(CHAPTERS)
+
+deps: ## install what make run needs (Debian packages; each is named with its reason first)
+	@sh tests/tools/deps.sh run
+deps-test: ## install what make test, test-all and lint need
+	@sh tests/tools/deps.sh run test
+deps-book: ## install what make lessons, pictures and figures need
+	@sh tests/tools/deps.sh run book
+
+lessons: ## rewrite listings and measured numbers in chapters/**/README.md
+	@sh tests/tools/lessons.sh write chapters/README.md $(wildcard chapters/*/README.md)
+lessons-check: ## fail where a listing, a number or a picture in a lesson is stale
+	@sh tests/tools/lessons.sh check chapters/README.md $(wildcard chapters/*/README.md)
+pictures: $(PROGRAMS) ## render the lessons' pictures (chapters/NN_name/pictures.txt)
+	@for chapter in $(CHAPTERS); do sh tests/tools/pictures.sh $(BUILD)/$$chapter chapters/$$chapter || exit 1; done
+figures: $(PROGRAMS) $(BUILD)/figure ## measure each chapter's sweep and stability table and draw them (chapters/NN_name/figures.txt)
+	@for chapter in $(CHAPTERS); do sh tests/tools/figures.sh $(BUILD) $$chapter || exit 1; done
+
+# --- for those who change the code -------------------------------------------------------------------------------------------
+FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch]))
+format: ## clang-format every C and C++ file in place
+	clang-format -i $(FORMATTED)
+lint: compile_commands.json ## format, clang-tidy, cppcheck, include edges, line counts, unused shaders and functions
+	@sh tests/tools/lint.sh $(FORMATTED)
+compile_commands.json: Makefile $(SOURCES) ## for clangd and clang-tidy
+	@sh tests/tools/compile_commands.sh '$(CC) $(CPPFLAGS) $(CFLAGS)' '$(CXX) $(CPPFLAGS) $(CXXFLAGS)' $(SOURCES) > $@.tmp && mv $@.tmp $@
+
+clean: ## remove build/ and out/ (a student's .progress stays)
+	rm -rf build out compile_commands.json
+help: ## this list
+	@awk -f tests/tools/help.awk $(firstword $(MAKEFILE_LIST))
+	@for chapter in $(CHAPTERS); do printf '  %-16s build and open chapters/%s (ARGS="--help" lists its options)\n' $${chapter%%_*} $$chapter; done
+
+-include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c))
+.PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
+  lessons lessons-check pictures figures format lint clean help FORCE

@@ -1,0 +1,46 @@
+// scene_builtin: what the generators of the built-in scenes share and nobody else needs.
+#ifndef SCENE_BUILTIN_H
+#define SCENE_BUILTIN_H
+
+#include "scene.h"
+
+// Everything in a model file, nodes' transforms applied, not yet validated (scene_import.c). Work error where Assimp cannot read it.
+void scene_import(Scene *scene, const char *path);
+// The same for a model that a Debian package brings: work error that names the package where the file is missing.
+void scene_import_packaged(Scene *scene, const char *path, const char *package);
+// The box of the triangles, NaN and bad indices left out; false and a cube of 1 m around the origin where there is none.
+bool scene_bounds(const Mesh *mesh, vec3 *lower, vec3 *upper);
+
+// Uniform numbers from a seed: SplitMix64 (Steele, Lea, Flood 2014, figure 9's constants).
+typedef struct Random {
+    uint64_t state;
+} Random;
+float random_between(Random *random, float least, float most);
+vec3 random_direction(Random *random); // unit, uniform on the sphere
+
+// Where a part stands and how it is turned: right-handed orthonormal axes, y up the part.
+typedef struct Frame {
+    vec3 origin, x, y, z;
+} Frame;
+Frame frame_at(vec3 origin, float yaw_rad);
+vec3 frame_point(const Frame *frame, float x, float y, float z);
+vec3 frame_vector(const Frame *frame, float x, float y, float z);
+
+// A triangle with vertices of its own and their flat normal.
+void mesh_add_flat_triangle(Mesh *mesh, vec3 a, vec3 b, vec3 c, uint32_t material);
+// a, b, c, d counter-clockwise.
+void frame_quad(Mesh *mesh, const Frame *frame, vec3 a, vec3 b, vec3 c, vec3 d, uint32_t material);
+void frame_box(Mesh *mesh, const Frame *frame, vec3 lower, vec3 upper, uint32_t material);
+// The surface that {radius, height} pairs sweep about the frame's y. Heights rise along an outer side; corners sharper than 50° stay sharp.
+// Segments whose radius is 0 at one end become a fan.
+void frame_revolve(Mesh *mesh, const Frame *frame, const vec2 *profile, int points, int segments,
+                   uint32_t material);
+
+void make_colonnade(Scene *scene, uint64_t seed);
+void make_slivers(Scene *scene, uint64_t seed);
+void make_huge(Scene *scene, uint64_t seed);
+void make_tiny(Scene *scene, uint64_t seed);
+void make_degenerate(Scene *scene, uint64_t seed);
+void make_planar(Scene *scene, uint64_t seed);
+
+#endif
