@@ -103,7 +103,8 @@ void run_skipped(Run *run, double skipped, double of);
 
 // The picture (RGBA32F texture, linear radiance, the run's size) of a named step; the last step reached is shown, --step stops there.
 void run_step(Run *run, const char *name, GLuint picture);
-bool run_stopped(const Run *run);  // the --step asked for has been reached in this frame
+// Whether this step's picture is the one that will be shown: passes that only paint another can be left out.
+bool run_step_shown(const Run *run, const char *name);
 Image run_picture(const Run *run); // the shown picture of the last frame, top row first; the caller frees it
 
 // --truth FILE was given: give the picture to write for this setting's view (asked in the last frame and after it). In a sweep with --path it is

@@ -130,7 +130,6 @@ uint64_t run_seed(const Run *run) { return run->seed; }
 int run_frame_number(const Run *run) { return run->frame < 0 ? 0 : run->frame; }
 bool run_everything(const Run *run) { return run->everything; }
 bool run_deforming(const Run *run) { return run->path == RUN_DEFORM; }
-bool run_stopped(const Run *run) { return run->stopped; }
 const char *run_case(const Run *run) { return run->setting && run->setting->row ? run->setting->row->name : NULL; }
 bool run_measuring_error(const Run *run) { return run->setting->task == RUN_SWEEP; }
 bool run_checking(const Run *run) { return run->setting->task == RUN_STABILITY; }

@@ -16,7 +16,7 @@ static const char *const scenes[] = {"bunny", "cornell", "colonnade", NULL};
 static const RunParameter parameters[] = {
     {.name = "method", .kind = RUN_CHOICE, .choices = "exact raster", .shows = "how voxels are found"},
     {.name = "resolution", .kind = RUN_INTEGER, .least = 1, .most = 65536, .initial = {64}, .unit = "voxels", .shows = "voxels along the longest side"},
-    {.name = "show", .kind = RUN_CHOICE, .choices = "normals steps distance", .shows = "colour of a voxel: its face's normal, the planes that the ray crossed, the distance"},
+    {.name = "show", .kind = RUN_CHOICE, .choices = "shaded normals steps distance", .shows = "colour of a voxel: its face in the light, its normal, the planes that the ray crossed, the distance"},
     {.name = "region_lower", .kind = RUN_VECTOR, .most = 1, .initial = {0, 0, 0}, .shows = "corner of the grid in the scene's box"},
     {.name = "region_upper", .kind = RUN_VECTOR, .most = 1, .initial = {1, 1, 1}, .shows = "opposite corner of the grid in the scene's box"},
     {.name = NULL},
@@ -83,7 +83,8 @@ static const int DEPTH_MAP_RESOLUTION = 1024; // texels a side
 // why passes are left out
 static const char *const SAME_VOXELS = "scene, grid and method are the last frame's";
 static const char *const SAME_VIEW = "eye, light and grid are the last frame's";
-static const char *const OTHER_METHOD = "this row measures the other method";
+static const char *const NOT_SHOWN = "its picture is not the one shown";
+static const char *const NOT_USED = "the picture or row uses the other method";
 static const char *const EMPTY_LIST = "the list is empty";
 
 // What has not changed since the last frame is not built again.
@@ -131,14 +132,15 @@ enum { RASTER, EXACT, EITHER, MISSED, VOXEL_SETS }; // bits of one grid
 
 // The two passes of a picture of voxels.
 static void show_voxels(Run *run, const Walker *walker, const Raster *raster, const WalkPicture *picture,
-                        bool new_voxels, bool new_eye, const char *blocks_pass, const char *walk_pass)
+                        bool shown, bool new_voxels, bool new_eye, const char *blocks_pass,
+                        const char *walk_pass)
 {
-    if (run_pass(run, blocks_pass, new_voxels, SAME_VOXELS)) {
+    if (run_pass(run, blocks_pass, shown && new_voxels, shown ? SAME_VOXELS : NOT_SHOWN)) {
         blocks_find(walker, picture->voxels, picture->blocks);
         run_skipped(run, (double)blocks_empty(&picture->voxels->grid, picture->blocks),
                     (double)blocks_count(&picture->voxels->grid));
     }
-    if (run_pass(run, walk_pass, new_voxels || new_eye, SAME_VIEW))
+    if (run_pass(run, walk_pass, shown && (new_voxels || new_eye), shown ? SAME_VIEW : NOT_SHOWN))
         run_count(run, "fetches", walk_draw(walker, raster, picture));
 }
 
@@ -152,9 +154,10 @@ int main(int argc, char **argv)
         const Scene *scene = run_scene(run);
         const int width = run_width(run), height = run_height(run);
         const bool exact = run_chosen(run, "method", "exact"), pictures = run_picture_needed(run);
-        const WalkShow show = run_chosen(run, "show", "normals") ? WALK_NORMALS
-                              : run_chosen(run, "show", "steps") ? WALK_STEPS
-                                                                 : WALK_DISTANCE;
+        const WalkShow show = run_chosen(run, "show", "shaded")    ? WALK_SHADED
+                              : run_chosen(run, "show", "normals") ? WALK_NORMALS
+                              : run_chosen(run, "show", "steps")   ? WALK_STEPS
+                                                                   : WALK_DISTANCE;
         VoxelGrid grid = voxelize_grid(scene, run_vector(run, "region_lower"),
                                        run_vector(run, "region_upper"), run_integer(run, "resolution"));
         Voxels voxels[VOXEL_SETS];
@@ -185,14 +188,21 @@ int main(int argc, char **argv)
             last_eye = hash_camera(camera);
             last_lights = hash_lights(scene);
 
+            // One picture is shown: what only another one needs is left out.
+            const bool show_mesh = pictures && run_step_shown(run, "mesh");
+            const bool show_holes = pictures && run_step_shown(run, "holes");
+            const bool show_exact = pictures && run_step_shown(run, "exact");
+            const bool show_walk = pictures && run_step_shown(run, "walk"), chosen = show_walk || !pictures;
+
             //[mesh
-            if (run_pass_common(run, "depth maps", pictures && new_lights && lit,
-                                lit ? SAME_VIEW : "the scene has no light"))
+            const char *no_mesh = !show_mesh ? NOT_SHOWN : SAME_VIEW;
+            if (run_pass_common(run, "depth maps", show_mesh && new_lights && lit,
+                                lit ? no_mesh : "the scene has no light"))
                 for (size_t i = 0; i < scene->light_count; i++)
                     raster_depth_map_draw(raster, &maps[i], &scene->lights[i], &mesh);
-            if (run_pass_common(run, "G-buffer", pictures && new_eye, SAME_VIEW))
+            if (run_pass_common(run, "G-buffer", show_mesh && new_eye, no_mesh))
                 raster_gbuffer_draw(raster, &gbuffer, &camera, &mesh);
-            if (run_pass_common(run, "light and lines", pictures && (new_eye || new_lights), SAME_VIEW)) {
+            if (run_pass_common(run, "light and lines", show_mesh && (new_eye || new_lights), no_mesh)) {
                 raster_light_begin(raster, &gbuffer, texture[MESH], AMBIENT);
                 for (size_t i = 0; i < scene->light_count; i++)
                     raster_light_add(raster, &gbuffer, &camera, &scene->lights[i], &maps[i], texture[MESH]);
@@ -202,13 +212,12 @@ int main(int argc, char **argv)
             //]
 
             //[voxelize
-            if (run_pass(run, "raster", new_voxels && (pictures || !exact),
-                         new_voxels ? OTHER_METHOD : SAME_VOXELS)) {
+            const char *why_not = new_voxels ? NOT_USED : SAME_VOXELS;
+            if (run_pass(run, "raster", new_voxels && (show_holes || (chosen && !exact)), why_not)) {
                 voxels_clear(&voxels[RASTER]);
                 voxelize_raster(&voxelizer, &mesh, &voxels[RASTER]);
             }
-            const bool find = new_voxels && (pictures || exact);
-            const char *why_not = new_voxels ? OTHER_METHOD : SAME_VOXELS;
+            const bool find = new_voxels && (show_holes || show_exact || (chosen && exact));
             if (run_pass(run, "exact: sort", find, why_not)) {
                 voxels_clear(&voxels[EXACT]);
                 voxelize_sort(&voxelizer, &mesh, &grid, &lists);
@@ -222,38 +231,33 @@ int main(int argc, char **argv)
             //]
 
             WalkPicture picture = {.show = show, .camera = &camera, .width = width, .height = height};
-            if (pictures) {
-                if (run_pass(run, "holes: compare", new_voxels, SAME_VOXELS))
-                    voxels_compare(&voxelizer, &voxels[RASTER], &voxels[EXACT], &voxels[EITHER],
-                                   &voxels[MISSED]);
-                picture.voxels = &voxels[EITHER];
-                picture.marked = &voxels[MISSED];
-                picture.lines = true;
-                picture.blocks = blocks[HOLES];
-                picture.framebuffer = framebuffer[HOLES];
-                show_voxels(run, &walker, raster, &picture, new_voxels, new_eye, "holes: blocks",
-                            "holes: walk");
-            }
+            if (run_pass(run, "holes: compare", show_holes && new_voxels,
+                         show_holes ? SAME_VOXELS : NOT_SHOWN))
+                voxels_compare(&voxelizer, &voxels[RASTER], &voxels[EXACT], &voxels[EITHER], &voxels[MISSED]);
+            picture.voxels = &voxels[EITHER];
+            picture.marked = &voxels[MISSED];
+            picture.lines = true;
+            picture.blocks = blocks[HOLES];
+            picture.framebuffer = framebuffer[HOLES];
+            show_voxels(run, &walker, raster, &picture, show_holes, new_voxels, new_eye, "holes: blocks",
+                        "holes: walk");
             run_step(run, "holes", texture[HOLES]);
 
-            if (pictures) {
-                picture.voxels = &voxels[EXACT];
-                picture.marked = NULL;
-                picture.blocks = blocks[WHOLE];
-                picture.framebuffer = framebuffer[WHOLE];
-                show_voxels(run, &walker, raster, &picture, new_voxels, new_eye, "exact: blocks",
-                            "exact: walk");
-            }
+            picture.voxels = &voxels[EXACT];
+            picture.marked = NULL;
+            picture.blocks = blocks[WHOLE];
+            picture.framebuffer = framebuffer[WHOLE];
+            show_voxels(run, &walker, raster, &picture, show_exact, new_voxels, new_eye, "exact: blocks",
+                        "exact: walk");
             run_step(run, "exact", texture[WHOLE]);
 
             //[walk
-            if (pictures) {
-                picture.voxels = &voxels[exact ? EXACT : RASTER];
-                picture.lines = false;
-                picture.blocks = blocks[WALK];
-                picture.framebuffer = framebuffer[WALK];
-                show_voxels(run, &walker, raster, &picture, new_voxels, new_eye, "walk: blocks", "walk");
-            }
+            picture.voxels = &voxels[exact ? EXACT : RASTER];
+            picture.lines = false;
+            picture.blocks = blocks[WALK];
+            picture.framebuffer = framebuffer[WALK];
+            show_voxels(run, &walker, raster, &picture, show_walk, new_voxels, new_eye, "walk: blocks",
+                        "walk");
             run_step(run, "walk", texture[WALK]);
             //]
 
