@@ -80,11 +80,8 @@ vec3 run_vector(const Run *run, const char *name);
 const char *run_choice(const Run *run, const char *name);
 // strcmp(run_choice(…), choice) == 0; a choice not listed ends the program.
 bool run_chosen(const Run *run, const char *name, const char *choice);
-uint64_t run_seed(const Run *run);
 // 0, 1, …: fixed steps of 1/60 s for animation. Warm-up and repeats of a measurement are all frame 0, so what is built in frame 0 is measured.
 int run_frame_number(const Run *run);
-bool run_deforming(const Run *run); // --path deform
-bool run_everything(const Run *run);
 const char *run_case(const Run *run);     // name of the sweep row or stability case, or NULL
 bool run_measuring_error(const Run *run); // this setting wants run_error (a sweep)
 bool run_checking(const Run *run);        // this setting wants run_check (a stability case)

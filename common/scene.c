@@ -7,6 +7,8 @@
 
 // Of the scene's diagonal: the default of a light's radius.
 static const float LIGHT_RADIUS_OF_DIAGONAL = 1e-4f;
+// Where an OBJ has no normals, edges flatter than this are smoothed.
+static const float CREASE_DEGREES = 60;
 
 static Scene *scene_new(const char *name)
 {
@@ -60,7 +62,7 @@ Scene *scene_open(const char *name_or_file, uint64_t seed)
 {
     if (strpbrk(name_or_file, "./")) {
         Scene *scene = scene_new(name_or_file);
-        scene_import(scene, name_or_file);
+        scene_import(scene, name_or_file, CREASE_DEGREES);
         return scene_complete(scene, false);
     }
     for (const SceneKind *kind = scene_kinds; kind->name; kind++)

@@ -8,7 +8,7 @@ static void import_packaged(Scene *scene, const char *path, const char *package)
 {
     if (access(path, R_OK) != 0)
         fail_work("scene %s: %s is missing; install the Debian package %s", scene->name, path, package);
-    scene_import(scene, path);
+    scene_import(scene, path, 180);
 }
 
 static void make_bunny(Scene *scene, uint64_t seed)

@@ -11,9 +11,6 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-// Where a file has no normals: edges flatter than this are smoothed.
-static const float CREASE_DEGREES = 60;
-
 static vec3 vec3_from(struct aiVector3D v)
 {
     return vec3_make(v.x, v.y, v.z);
@@ -135,7 +132,7 @@ static void add_materials(Scene *scene, const struct aiScene *file)
              textured);
 }
 
-void scene_import(Scene *scene, const char *path)
+void scene_import(Scene *scene, const char *path, float crease_degrees)
 {
     struct stat status;
     const char *name = strrchr(path, '/') ? strrchr(path, '/') : path, *ending = strrchr(name, '.');
@@ -152,7 +149,7 @@ void scene_import(Scene *scene, const char *path)
     // OBJ lists normals a corner, so creases can be kept; a glTF without normals is flat (its specification, 3.7.2.1), which validation does.
     const bool smooth = strcasecmp(ending, ".obj") == 0;
     struct aiPropertyStore *properties = aiCreatePropertyStore();
-    aiSetImportPropertyFloat(properties, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE_DEGREES);
+    aiSetImportPropertyFloat(properties, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, crease_degrees);
     const unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
                            (smooth ? aiProcess_GenSmoothNormals : 0);
     const struct aiScene *file = NULL;
