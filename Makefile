@@ -130,7 +130,7 @@ test-readme: $(PROGRAMS) ## run the commands that README and lessons print
 SANITIZERS := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 sanitize: ## build with address and undefined-behaviour sanitizers into build/sanitize and run the tests there
 	@rm -rf build/sanitize/log && mkdir -p build/sanitize/log
-	@ASAN_OPTIONS=abort_on_error=1:fast_unwind_on_malloc=0:log_path=$(CURDIR)/build/sanitize/log/report UBSAN_OPTIONS=abort_on_error=1:print_stacktrace=1 \
+	@ASAN_OPTIONS=abort_on_error=1:log_path=$(CURDIR)/build/sanitize/log/report UBSAN_OPTIONS=abort_on_error=1:print_stacktrace=1 \
 	  LSAN_OPTIONS=exitcode=0:suppressions=$(CURDIR)/tests/tools/lsan.supp:print_suppressions=0 \
 	  $(MAKE) BUILD=build/sanitize OPT="-O1 -g" SANITIZE="$(SANITIZERS)" WERROR= test-now
 	@sh tests/tools/sanitizer_logs.sh build/sanitize/log

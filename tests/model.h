@@ -44,7 +44,7 @@ static inline void model_write(const char *folder, const char *name, float first
         " {\"type\": \"point\", \"color\": [0, 1, 0], \"intensity\": %g},\n"
         " {\"type\": \"directional\", \"color\": [1, 0, 0], \"intensity\": %g}]}},\n"
         "\"nodes\": [{\"name\": \"wall\", \"mesh\": 0}, {\"name\": \"eye\", \"camera\": 0, "
-        "\"matrix\": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1]},\n"
+        "\"translation\": [0, 0, 1]},\n"
         " {\"name\": \"point\", \"translation\": [0, 0, 1], \"extensions\": {\"KHR_lights_punctual\": "
         "{\"light\": 0}}},\n"
         " {\"name\": \"sun\", \"extensions\": {\"KHR_lights_punctual\": {\"light\": 1}}}],\n"

@@ -24,7 +24,7 @@ named_by() { sed -n '1s/^# must fail: *\([^ /]*\/[^ ]*\) *$/\1/p' "$1"; }
 targets_of()
 {
     suite=${1%%/*} test=${1#*/}
-    for form in "^(Parameterized)?Test\($suite, *$test[,)]" "Test\($suite, *[a-z0-9_#]*[,)]"; do
+    for form in "^(Parameterized)?Test\(${suite}, *${test}[,)]" "Test\(${suite}, *[a-z0-9_#]*[,)]"; do
         file=$(grep -lE "$form" tests/test_*.c tests/slow_*.c 2>/dev/null | head -n 1)
         [ -z "$file" ] || break
     done
