@@ -55,6 +55,19 @@ Test(voxelization, touching_in_a_point_counts)
     free(bits);
 }
 
+// In the grid's own space the triangle lies in x = 1 - 2^-30: within voxel 0 by less than single precision can tell.
+Test(voxelization, corners_are_rebased_in_double)
+{
+    Bench bench = bench_open(NULL);
+    bench_add(&bench, vec3_make(1, 0.25f, 0.25f), vec3_make(1, 0.75f, 0.25f), vec3_make(1, 0.25f, 0.75f));
+    bench_mesh(&bench);
+    VoxelGrid grid = cube_grid(0x1p-30, 1.0, 4);
+    uint32_t *bits = bits_exact(&bench, &grid);
+    cr_assert(bit_of(bits, &grid, 0, 0, 0), "the voxel that holds it is not set");
+    cr_assert_eq(voxels_count(bits, NULL, grid_words(&grid)), 1, "a voxel that it does not reach is set");
+    free(bits);
+}
+
 // ---------------------------------------------------------------- truth
 
 static void check_truth(const char *scene, int resolution)

@@ -1,4 +1,4 @@
-// 01 voxelization: the walk through the grid against closed forms and Embree; empty blocks; what a frame builds again.
+// 01 voxelization: the walk through the grid against closed forms and Embree; empty blocks.
 #include "../chapters/01_voxelization/walk.h"
 #include "voxel_bench.h"
 
@@ -217,6 +217,51 @@ Test(walk, a_block_with_one_voxel_is_not_empty)
     }
 }
 
+// Rows of 21 voxels begin anywhere in a word, so blocks' rows of 8 lie across two words in every way.
+Test(walk, each_voxel_alone_fills_its_block)
+{
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    VoxelGrid grid = {{0, 0, 0}, 1.0, {21, 9, 3}};
+    uint32_t bits[(21 * 9 * 3 + 31) / 32] = {0};
+    WalkBench bench = walk_open(&grid, bits, SIZE);
+    for (size_t i = 0; i < grid_voxels(&grid); i++) {
+        bits[i >> 5] = 1u << (i & 31);
+        gl.NamedBufferSubData(bench.voxels.words, 0, sizeof bits, bits);
+        blocks_find(&bench.walker, &bench.voxels, bench.blocks);
+        cr_assert_eq(blocks_empty(&grid, bench.blocks), blocks_count(&grid) - 1,
+                     "voxel %zu: not one block is full", i);
+        bits[i >> 5] = 0;
+    }
+}
+
+// A ray exactly through lattice edges, x = y + 3: at each edge it crosses the x plane first, so it goes by (11, 7) and (11, 8), never by
+// (10, 8). It comes to the edge at (11, 8) by a stride across an empty block.
+Test(walk, crosses_x_before_y_where_a_stride_ends_in_an_edge)
+{
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    VoxelGrid grid = {{0, 0, 0}, 1.0, {40, 40, 40}};
+    Camera camera = {.eye = vec3_make(-2, -5, 20.5f),
+                     .target = vec3_make(8, 5, 20.5f),
+                     .up = vec3_make(0, 0, 1),
+                     .vertical_fov_rad =
+                         1e-8f}; // so small that the middle ray is the view direction to its last bit
+    const struct {
+        int x, y;
+        bool hit;
+    } cases[] = {{10, 8, false}, {11, 8, true}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        uint32_t *bits = memory_new(grid_words(&grid), 4, "bits");
+        size_t voxel = (size_t)(20 * 40 + cases[i].y) * 40 + (size_t)cases[i].x;
+        bits[voxel >> 5] |= 1u << (voxel & 31);
+        WalkBench bench = walk_open(&grid, bits, 1);
+        float *seen = walk_pixels(&bench, WALK_DISTANCE, &camera, 1);
+        cr_assert_eq(seen[0] > 0.5f, cases[i].hit, "voxel (%d, %d): red %g", cases[i].x, cases[i].y,
+                     (double)seen[0]);
+        free(seen);
+        free(bits);
+    }
+}
+
 // ---------------------------------------------------------------- addresses
 
 // Grids of more than 2^32 voxels do not fit here, but their words' numbers can be asked for.
@@ -258,111 +303,4 @@ Test(walk, words_are_numbered_right_beyond_32_bits)
     unlink(path);
     rmdir(folder);
     free(path);
-}
-
-// ---------------------------------------------------------------- the program
-
-// What the program's plan says of its last frame, run as a user runs it.
-static char *plan_of(const char *arguments)
-{
-    const char *build = getenv("BUILD");
-    char *out = text_format("/tmp/walk-%d", (int)getpid());
-    char *command =
-        text_format("%s/01_voxelization --out %s.png --size 32x32 --set resolution=16 --plan %s >%s 2>&1",
-                    build ? build : "build", out, arguments, out);
-    int status = system(command);
-    char *plan = file_read(out, NULL), *picture = text_format("%s.png", out);
-    cr_assert_eq(status, 0, "%s: %s", command, plan);
-    unlink(out);
-    unlink(picture);
-    free(command);
-    free(out);
-    free(picture);
-    return plan;
-}
-static bool ran(const char *plan, const char *pass)
-{
-    const char *line = plan;
-    size_t length = strlen(pass);
-    while (line && !(strncmp(line, pass, length) == 0 && strncmp(line + length, "  ", 2) == 0))
-        line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL;
-    cr_assert(line != NULL, "no pass '%s' in\n%s", pass, plan);
-    char word[8] = "";
-    sscanf(line + length, "%7s", word);
-    return strcmp(word, "yes") == 0;
-}
-Test(walk, what_has_not_changed_is_not_built_again)
-{
-    const struct {
-        const char *frames;
-        bool map, gbuffer, voxels, walk;
-    } cases[] = {
-        {"--frames 1", true, true, true, true},
-        {"--frames 2", false, false, false, false},
-        {"--frames 2 --path orbit", false, true, false, true},
-        {"--frames 2 --path light", true, false, false, false},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const char *how = cases[i].frames;
-        char *mesh_step = text_format("--step mesh %s", how), *plan = plan_of(mesh_step);
-        cr_assert_eq(ran(plan, "depth maps"), cases[i].map, "%s: depth maps", how);
-        cr_assert_eq(ran(plan, "G-buffer"), cases[i].gbuffer, "%s: G-buffer", how);
-        cr_assert_eq(ran(plan, "light and lines"), cases[i].map || cases[i].gbuffer, "%s: light and lines",
-                     how);
-        free(plan);
-        free(mesh_step);
-        plan = plan_of(how);
-        const char *voxels[] = {"exact: sort", "exact: small", "walk: blocks"};
-        for (int k = 0; k < 3; k++)
-            cr_assert_eq(ran(plan, voxels[k]), cases[i].voxels, "%s: %s", how, voxels[k]);
-        cr_assert_eq(ran(plan, "walk"), cases[i].walk, "%s: walk", how);
-        free(plan);
-    }
-}
-
-// What only another picture needs is left out; --everything makes it all the same.
-Test(walk, only_the_picture_that_is_shown_is_made)
-{
-    const char *passes[] = {"depth maps",  "G-buffer",    "raster", "exact: sort",
-                            "holes: walk", "exact: walk", "walk"};
-    const struct {
-        const char *arguments;
-        bool runs[7];
-    } cases[] = {
-        {"--step holes", {false, false, true, true, true}},
-        {"--step exact", {false, false, false, true, false, true}},
-        {"--step walk", {false, false, false, true, false, false, true}},
-        {"--step walk --set method=raster", {false, false, true, false, false, false, true}},
-        {"--step walk --everything", {true, true, true, true, true, true, true}},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char *plan = plan_of(cases[i].arguments);
-        for (int k = 0; k < 7; k++) {
-            char *line = text_format("\n%s  ", passes[k]);
-            if (cases[i].runs[k] || strstr(plan, line)) // what comes after the step is not in the plan
-                cr_assert_eq(ran(plan, passes[k]), cases[i].runs[k], "%s: %s", cases[i].arguments, passes[k]);
-            free(line);
-        }
-        free(plan);
-    }
-}
-
-Test(walk, the_stability_table_passes)
-{
-    const char *build = getenv("BUILD");
-    char *path = text_format("/tmp/walk-%d.csv", (int)getpid());
-    char *command =
-        text_format("%s/01_voxelization --stability %s 2>/dev/null", build ? build : "build", path);
-    cr_assert_eq(system(command), 0, "%s fails", command);
-    char *table = file_read(path, NULL);
-    int passed = 0, failed = 0;
-    for (const char *line = table; (line = strchr(line, '\n')) != NULL; line++) {
-        passed += line - table > 5 && strncmp(line - 5, ",pass", 5) == 0;
-        failed += line - table > 5 && strncmp(line - 5, ",fail", 5) == 0;
-    }
-    cr_assert(failed == 0 && passed == 51, "%d checks pass, %d fail", passed, failed); // 17 cases, 3 each
-    unlink(path);
-    free(path);
-    free(command);
-    free(table);
 }
