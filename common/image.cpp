@@ -62,10 +62,10 @@ std::vector<unsigned char> display_bytes(const Image &image, float exposure_stop
         const float *value = pixel(image, i);
         const bool finite = std::all_of(value, value + count, [](float v) { return std::isfinite(v); });
         for (int c = 0; c < 3; c++) {
-            // adding a half and cutting rounds to the nearest of 256 levels: no dithering, so equal values give equal bytes
+            // to the nearest of 256 levels: no dithering, so equal values give equal bytes
             const float shown = std::fmin(std::fmax(value[count == 3 ? c : 0] * scale, 0.0f), 1.0f);
             const float level = finite ? srgb_encode(shown) : static_cast<float>(c != 1);
-            bytes.push_back(static_cast<unsigned char>(level * 255.0f + 0.5f));
+            bytes.push_back(static_cast<unsigned char>(std::lround(level * 255.0f)));
         }
     }
     return bytes;

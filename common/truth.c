@@ -10,6 +10,7 @@
 #ifndef TRUTH_SOURCE_HASH
 #define TRUTH_SOURCE_HASH __DATE__ " " __TIME__
 #endif
+static const char source_hash[] = TRUTH_SOURCE_HASH;
 
 struct Truth {
     RTCScene scene;         // holds the device
@@ -153,8 +154,8 @@ Mesh truth_voxel_mesh(const uint32_t *voxels, const VoxelGrid *grid)
 
 char *truth_cache_path(const char *what, uint64_t inputs, const char *ending)
 {
-    uint64_t key = hash_bytes(hash_bytes(HASH_START, TRUTH_SOURCE_HASH, strlen(TRUTH_SOURCE_HASH)), &inputs,
-                              sizeof inputs);
+    uint64_t key =
+        hash_bytes(hash_bytes(HASH_START, source_hash, sizeof source_hash), &inputs, sizeof inputs);
     folder_make("out/truth");
     return text_format("out/truth/%s-%016" PRIx64 "%s", what, key, ending);
 }

@@ -69,9 +69,11 @@ bool fake_offers_truth = true;
 // Rows from the bottom: 0, 1, 2, … in red, so that flipping shows; NaN in one pixel where asked.
 static void fill_rows(GLuint picture, int width, int height, bool nan_pixel)
 {
-    float *pixels = calloc((size_t)(4 * width * height), sizeof *pixels);
-    for (int i = 0; i < width * height; ++i)
-        pixels[4 * i] = (float)(i / width);
+    float *pixels = calloc(4 * (size_t)width * (size_t)height, sizeof *pixels);
+    for (int i = 0; i < width * height; ++i) {
+        int row = i / width;
+        pixels[4 * i] = (float)row;
+    }
     if (nan_pixel)
         pixels[4 * (width + 2) + 1] = NAN; // second row from the bottom, third pixel
     gl.TextureSubImage2D(picture, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, pixels);

@@ -50,8 +50,10 @@ static char *line_of(const char *format, ...)
     va_end(arguments);
     FILE *from = popen(command, "r");
     size_t room = 0;
-    if (getline(&line, &room, from) < 0)
-        line = strcpy(line ? line : memory_new(1, 1, "a line"), "");
+    if (getline(&line, &room, from) < 0) {
+        free(line);
+        line = memory_new(1, 1, "a line");
+    }
     line[strcspn(line, "\n")] = '\0';
     pclose(from);
     free(command);
@@ -199,7 +201,9 @@ void window_file(const char *name, const char *text)
 {
     char *path = text_format("%s/%s", at.folder, name), *new = text_format("%s.new", path);
     FILE *file = fopen(new, "w");
-    cr_assert(file && fputs(text, file) >= 0 && fclose(file) == 0 && rename(new, path) == 0, "%s", path);
+    bool written = file && fputs(text, file) >= 0;
+    written = file && fclose(file) == 0 && written;
+    cr_assert(written && rename(new, path) == 0, "%s", path);
     free(new);
     free(path);
 }

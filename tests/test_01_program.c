@@ -30,7 +30,10 @@ static bool ran(const char *plan, const char *pass)
     size_t length = strlen(pass);
     while (line && !(strncmp(line, pass, length) == 0 && strncmp(line + length, "  ", 2) == 0))
         line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL;
-    cr_assert(line != NULL, "no pass '%s' in\n%s", pass, plan);
+    if (!line) {
+        cr_expect(false, "no pass '%s' in\n%s", pass, plan);
+        return false;
+    }
     char word[8] = "";
     sscanf(line + length, "%7s", word);
     return strcmp(word, "yes") == 0;

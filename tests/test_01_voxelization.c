@@ -100,7 +100,7 @@ Test(voxelization, exact_is_the_truth_on_random_triangles)
     Bench bench = bench_open(NULL);
     srand(5);
     for (int i = 0; i < 3000; i++) {
-        vec3 p[3];
+        vec3 p[3] = {0};
         float length = powf(10.0f, 3.0f * (float)rand() / (float)RAND_MAX - 1.0f);
         for (int v = 0; v < 3; v++)
             for (int k = 0; k < 3; k++)

@@ -79,7 +79,7 @@ Test(truth_ray, box_closed_form_at_every_scale)
             cr_assert(fabs(hit.distance - expected) < tolerance, "%g m: distance %.9g, not %.9g", half,
                       (double)hit.distance, expected);
             // … and near an edge of the box the other side may be hit as well.
-            if (fabs(origin[axis] + hit.distance * direction[axis]) > 0.999f * half)
+            if (fabsf(origin[axis] + hit.distance * direction[axis]) > 0.999f * half)
                 cr_assert(fabsf(fabsf(hit.normal[0]) + fabsf(hit.normal[1]) + fabsf(hit.normal[2]) - 1.0f) <
                               1e-6f,
                           "a box's normals are unit axes");

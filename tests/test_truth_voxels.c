@@ -71,8 +71,8 @@ static Point between(const Point *p, int64_t p_weight, const Point *q, int64_t q
         for (int64_t b = llabs(r.x[k]), t; b != 0; divisor = b, b = t) // Euclid
             t = divisor % b;
     }
-    for (int k = 0; k < 4; k++) // reduced, a point of triangle and two faces stays below 2^24
-        r.x[k] /= divisor;
+    for (int k = 0; k < 4; k++)          // reduced, a point of triangle and two faces stays below 2^24
+        r.x[k] /= divisor ? divisor : 1; // w > 0, so it is not 0
     return r;
 }
 
@@ -107,7 +107,7 @@ Test(truth_voxels, agrees_with_exact_clipping_on_a_lattice)
     uint32_t state = 1;
     long wrong = 0, inconsistent = 0, ties = 0, touched = 0;
     for (int made = 0; made < 10000;) {
-        int64_t lattice[9], e[6];
+        int64_t lattice[9] = {0}, e[6];
         float p[9];
         int64_t reach = made % 2 ? 32 : 8; // large triangles and small ones
         for (int i = 0; i < 9; i++) {

@@ -111,8 +111,10 @@ static double shell(double side, double layers)
 static double oblique(double side)
 {
     double voxels = -3.0;
-    for (double s = side - 3.0; s <= side; s += 1.0)
+    for (int behind = 0; behind <= 3; behind++) {
+        const double s = side - behind;
         voxels += 0.5 * (s + 1.0) * (s + 2.0);
+    }
     return voxels;
 }
 

@@ -45,7 +45,8 @@ void triangle_lists_delete(TriangleLists *lists);
 typedef struct Voxelizer {
     Shader *raster, *sort, *small, *large, *compare;
     GLuint framebuffer, vertex_array;
-    float small_side; // voxels: a triangle whose box is no longer is small. Any value gives the same voxels, in another time
+    float
+        small_side; // voxels: a triangle whose box is no longer is small. Any value gives the same voxels, in another time
 } Voxelizer;
 Voxelizer voxelizer_open(void);
 void voxelizer_close(Voxelizer *voxelizer);
