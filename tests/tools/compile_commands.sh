@@ -8,7 +8,7 @@ folder=$(escape "$PWD")
 separator='['
 for source in "$@"; do
     case $source in *.cpp) command=$cxx ;; *) command=$c ;; esac
-    case $source in common/truth*) command="$command -DTRUTH_SOURCE_HASH=\"0\"" ;; esac
+    case $source in common/truth*) command="$command -DTRUTH_SOURCE_HASH='\"0\"'" ;; esac
     printf '%s\n{"directory": "%s", "file": "%s", "command": "%s -c %s"}' "$separator" "$folder" "$source" "$(escape "$command")" "$source"
     separator=,
 done
