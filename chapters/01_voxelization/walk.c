@@ -200,7 +200,7 @@ Image walk_truth(const uint32_t *bits, const VoxelGrid *grid, WalkShow show, con
                 vec3 half_normal = vec3_make(0.5f, 0.5f, 0.5f) + 0.5f * hit.normal;
                 const vec3 stone = vec3_make(0.95f, 0.90f, 0.82f),
                            sun = vec3_make(0.30f, 0.80f, 0.52f); // of walk.frag
-                color = show == WALK_SHADED    ? near * (0.35f + 0.65f * vec3_dot(hit.normal, sun)) * stone
+                color = show == WALK_SHADED    ? near * (0.45f + 0.50f * vec3_dot(hit.normal, sun)) * stone
                         : show == WALK_NORMALS ? near * half_normal * half_normal
                                                : vec3_make(near, near, near);
             }

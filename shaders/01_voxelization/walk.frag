@@ -13,7 +13,7 @@ layout(std430, binding = 3) buffer Fetches { uint fetches[]; };
 
 const vec3 SKY = vec3(0.02, 0.025, 0.03);
 const vec3 STONE = vec3(0.95, 0.90, 0.82);
-const vec3 SUN = vec3(0.30, 0.80, 0.52); // unit; six faces, six shades
+const vec3 SUN = vec3(0.30, 0.80, 0.52); // unit; six faces, six shades, none below 0.05
 const vec3 MISSED = vec3(0.9, 0.05, 0.02);
 
 // Black, red, yellow, white at 0, 1/3, 2/3, 1.
@@ -37,7 +37,7 @@ void main()
     vec3 normal = -sign(direction) * vec3(hit.face);
     float near = exp2(-1.5 * hit.distance / size); // a stop darker each two thirds of the three sides together
     if (show == 0)
-        color.rgb = near * STONE * (0.35 + 0.65 * dot(normal, SUN));
+        color.rgb = near * STONE * (0.45 + 0.50 * dot(normal, SUN));
     if (show == 1) // squared: a PNG's sRGB takes about the root again
         color.rgb = near * (0.5 + 0.5 * normal) * (0.5 + 0.5 * normal);
     if (show == 3)
@@ -45,7 +45,7 @@ void main()
     if (mark) {
         uint place, word = grid_word(hit.voxel, place);
         if ((marked_words[word] >> place & 1u) != 0u)
-            color.rgb = near * MISSED * (0.35 + 0.65 * dot(normal, SUN));
+            color.rgb = near * MISSED * (0.45 + 0.50 * dot(normal, SUN));
     }
     if (lines) {
         vec3 in_voxel = eye_in_grid + hit.distance * direction - vec3(hit.voxel);
