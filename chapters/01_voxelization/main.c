@@ -5,7 +5,7 @@
 // Why so: a technique that stores light or shadow in voxels leaks through every hole, and pays for every voxel too many.
 // Source: Gomes, "Real-time indirect illumination and volumetric shadows" (2015), sections 2.1 and 4.2.1, whose conservative listings (4.2 to
 // 4.5) miss voxels; so the exact method follows Schwarz and Seidel (2010) instead. The walk: Amanatides and Woo (1987).
-#include "run.h"
+#include "judge.h"
 #include "scenes.h"
 #include "walk.h"
 #include <stdlib.h>
@@ -103,28 +103,6 @@ static uint64_t hash_lights(const Scene *scene)
         hash = hash_bytes(hash_bytes(hash, &light->position, sizeof(vec3)), &light->direction, sizeof(vec3));
     }
     return hash;
-}
-
-// The error rows of a sweep, or the checks of a stability case.
-static void judge(Run *run, const Mesh *mesh, const Voxels *voxels)
-{
-    size_t words = grid_words(&voxels->grid);
-    uint32_t *got = voxels_read(voxels), *truth = truth_voxels(mesh, &voxels->grid);
-    double voxel_count = voxels_count(truth, NULL, words);
-    double missing = voxels_count(truth, got, words), extra = voxels_count(got, truth, words);
-    if (run_measuring_error(run)) {
-        run_error(run, "truth", "missing", missing / fmax(voxel_count, 1.0));
-        run_error(run, "truth", "extra", extra / fmax(voxel_count, 1.0));
-    } else {
-        // Tolerance 0: a voxel is set or it is not, and both sides decide in double.
-        double expected = scenes_voxels(run_case(run)); // closed form, or -1
-        run_check(run, "voxels", expected < 0 ? voxel_count : expected, voxels_count(got, NULL, words), 0.0,
-                  0);
-        run_check(run, "missing", 0.0, missing, 0.0, 0);
-        run_check(run, "extra", 0.0, extra, 0.0, 0);
-    }
-    free(got);
-    free(truth);
 }
 
 enum { MESH, HOLES, WHOLE, WALK, PICTURES };        // pictures, in the order of `steps`
@@ -262,11 +240,9 @@ int main(int argc, char **argv)
             //]
 
             if (run_truth_wanted(run)) {
-                uint32_t *bits = truth_voxels(&scene->mesh, &grid);
-                Image truth = walk_truth(bits, &grid, show, &camera, width, height);
+                Image truth = judge_truth(scene, &grid, show, &camera, width, height);
                 run_truth(run, &truth);
                 image_free(&truth);
-                free(bits);
             }
         }
         if (run_measuring_error(run) || run_checking(run))

@@ -1,0 +1,82 @@
+// judge: see judge.h.
+#include "judge.h"
+#include "scenes.h"
+#include <stdlib.h>
+#include <unistd.h>
+
+// The truth's gap of one voxel: that of its nearest triangle.
+static double voxel_gap(const Mesh *mesh, const VoxelGrid *grid, const int voxel[3])
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        float corners[9];
+        for (size_t k = 0; k < 9; k++)
+            corners[k] = mesh->positions[3 * (size_t)mesh->indices[3 * i + k / 3] + k % 3];
+        least = fmin(least, truth_voxel_gap(corners, grid, voxel));
+    }
+    return least;
+}
+
+static double extra_gap(const Mesh *mesh, const VoxelGrid *grid, const uint32_t *got, const uint32_t *truth)
+{
+    double most = 0.0;
+    const size_t row = (size_t)grid->size[0], column = (size_t)grid->size[1];
+    for (size_t i = 0; i < grid_voxels(grid); i++)
+        if ((got[i >> 5] & ~truth[i >> 5]) >> (i & 31) & 1) {
+            const int voxel[3] = {(int)(i % row), (int)(i / row % column), (int)(i / row / column)};
+            most = fmax(most, voxel_gap(mesh, grid, voxel));
+        }
+    return most;
+}
+
+void judge(Run *run, const Mesh *mesh, const Voxels *voxels)
+{
+    const VoxelGrid *grid = &voxels->grid;
+    size_t words = grid_words(grid);
+    uint32_t *got = voxels_read(voxels), *truth = truth_voxels(mesh, grid);
+    double voxel_count = voxels_count(truth, NULL, words);
+    double missing = voxels_count(truth, got, words), extra = voxels_count(got, truth, words);
+    if (run_measuring_error(run)) {
+        run_error(run, "truth", "missing", missing / fmax(voxel_count, 1.0));
+        run_error(run, "truth", "extra", extra / fmax(voxel_count, 1.0));
+        run_error(run, "truth", "extra_gap", extra_gap(mesh, grid, got, truth));
+        run_error(run, "truth", "rounding_bound", truth_gap_bound(mesh, grid));
+    } else {
+        // Tolerance 0: a voxel is set or it is not, and both sides decide in double.
+        double expected = scenes_voxels(run_case(run)); // closed form, or -1
+        run_check(run, "voxels", expected < 0 ? voxel_count : expected, voxels_count(got, NULL, words), 0.0,
+                  0);
+        run_check(run, "missing", 0.0, missing, 0.0, 0);
+        run_check(run, "extra", 0.0, extra, 0.0, 0);
+    }
+    free(got);
+    free(truth);
+}
+
+// walk_truth's colours are part of the truth: compiled anew, it is computed anew.
+static const char compiled[] = __DATE__ " " __TIME__;
+
+Image judge_truth(const Scene *scene, const VoxelGrid *grid, WalkShow show, const Camera *camera, int width,
+                  int height)
+{
+    const float view[] = {camera->eye[0],    camera->eye[1],          camera->eye[2], camera->target[0],
+                          camera->target[1], camera->target[2],       camera->up[0],  camera->up[1],
+                          camera->up[2],     camera->vertical_fov_rad};
+    const int numbers[] = {grid->size[0], grid->size[1], grid->size[2], (int)show, width, height};
+    uint64_t inputs = hash_bytes(truth_hash_scene(scene), compiled, sizeof compiled);
+    inputs = hash_bytes(hash_bytes(inputs, view, sizeof view), numbers, sizeof numbers);
+    inputs =
+        hash_bytes(hash_bytes(inputs, grid->origin, sizeof grid->origin), &grid->voxel_size, sizeof(double));
+    char *path = truth_cache_path("01_voxelization", inputs, ".exr");
+    Image truth;
+    if (access(path, R_OK) == 0) {
+        truth = image_read(path);
+    } else {
+        uint32_t *bits = truth_voxels(&scene->mesh, grid);
+        truth = walk_truth(bits, grid, show, camera, width, height);
+        image_write(path, &truth, 0.0f);
+        free(bits);
+    }
+    free(path);
+    return truth;
+}
