@@ -45,7 +45,8 @@ void triangle_lists_delete(TriangleLists *lists);
 typedef struct Voxelizer {
     Shader *raster, *sort, *small, *large, *compare;
     GLuint framebuffer, vertex_array;
-    float small_side; // voxels: a triangle whose box is no longer is small. Any value gives the same voxels, in another time
+    float
+        small_side; // voxels: a triangle whose box is no longer is small. Any value gives the same voxels, in another time
 } Voxelizer;
 Voxelizer voxelizer_open(void);
 void voxelizer_close(Voxelizer *voxelizer);
@@ -61,7 +62,14 @@ void voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const Tri
 void voxels_compare(const Voxelizer *voxelizer, const Voxels *a, const Voxels *b, const Voxels *either,
                     const Voxels *only_b);
 
-// The uniforms of shaders/common/grid.glsl and triangles.glsl.
+// For every method that the rasterizer or a compute shader serves. The uniforms of shaders/common/grid.glsl and triangles.glsl:
 void voxelize_set_grid(const Shader *shader, const VoxelGrid *grid);
+// Use the shader on a mesh: its grid, and the triangles at bindings 1 and 2.
+void voxelize_use(const Shader *shader, const RasterMesh *mesh, const VoxelGrid *grid);
+// A framebuffer without pixels of this size, and the voxels' words at binding 0.
+void voxelize_begin(GLuint framebuffer, const Voxels *voxels, int width, int height);
+int voxelize_side(const VoxelGrid *grid); // the longest, in voxels
+// One invocation an item in groups of 64.
+void voxelize_dispatch(uint32_t items);
 
 #endif
