@@ -221,7 +221,8 @@ PeelCount surface_peeling(const Surfaces *surfaces, const RasterMesh *mesh, int 
         const float near = 0.0f;
         gl.ClearNamedFramebufferfv(framebuffer[1], GL_DEPTH, 0, &near);
         bool more = true;
-        for (int layer = 0; layer < most && (more || everything); layer++) {
+        for (int layer = 0; layer < most && layer < voxels->grid.size[axis] && (more || everything);
+             layer++) {
             int to = layer & 1;
             uint32_t pixels =
                 peel_layer(surfaces, mesh, voxels, side, framebuffer[to], depth[1 - to], depth[to], found);

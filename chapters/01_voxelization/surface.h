@@ -35,7 +35,8 @@ void slice_lists_delete(SliceLists *lists); // zeroed lists are allowed
 void surface_slicing(const Surfaces *surfaces, const RasterMesh *mesh, const SliceLists *lists,
                      const Voxels *voxels);
 
-// Layers peeled along x, y, z. Along each axis peeling stops after the layer that is empty, or after `most` layers.
+// Layers peeled along x, y, z. Along each axis peeling stops after the layer that is empty, after `most`, or after as many as
+// the axis has voxels.
 typedef struct PeelCount {
     int layers[3];
     double voxels; // of all layers; a voxel that several axes see counts for each

@@ -243,6 +243,16 @@ void voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const Tri
         voxelize_large(voxelizer, mesh, lists, list, voxels);
 }
 
+void voxelize_exact(const Voxelizer *voxelizer, const RasterMesh *mesh, TriangleLists *lists,
+                    const Voxels *voxels)
+{
+    voxels_clear(voxels);
+    voxelize_sort(voxelizer, mesh, &voxels->grid, lists);
+    for (int list = 0; list < LIST_COUNT; list++)
+        if (lists->count[list] > 0)
+            voxelize_list(voxelizer, mesh, lists, list, voxels);
+}
+
 // ---------------------------------------------------------------- holes
 
 void voxels_compare(const Voxelizer *voxelizer, const Voxels *a, const Voxels *b, const Voxels *either,

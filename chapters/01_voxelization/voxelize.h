@@ -58,6 +58,9 @@ void voxelize_sort(const Voxelizer *voxelizer, const RasterMesh *mesh, const Vox
                    TriangleLists *lists);
 void voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists, int list,
                    const Voxels *voxels);
+// All of it at once: clear, sort, every list.
+void voxelize_exact(const Voxelizer *voxelizer, const RasterMesh *mesh, TriangleLists *lists,
+                    const Voxels *voxels);
 // either = a | b, only_b = b & ~a; the three have one grid.
 void voxels_compare(const Voxelizer *voxelizer, const Voxels *a, const Voxels *b, const Voxels *either,
                     const Voxels *only_b);
