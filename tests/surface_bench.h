@@ -185,4 +185,27 @@ static inline void check_inclusions(const char *scene, int resolution)
     gl_close();
 }
 
+// A cube from 0.25 to N - 0.25 voxels touches the shell. Its faces lie inside pixels' columns, and a quarter of a pixel inside the outermost pixel's
+// border, so the pixels' centres are covered: the rasterizer finds all of it, too, whichever way it goes about it. The expansion alone does not:
+// it draws its corners' positions inwards.
+static inline void check_cubes(int from, int step)
+{
+    SurfaceBench bench = surface_bench_open(NULL);
+    for (int n = from; n <= 64; n += step) {
+        float far = (float)n - 0.25f;
+        bench.mesh = (Mesh){0};
+        mesh_add_box(&bench.mesh, vec3_make(0.25f, 0.25f, 0.25f), vec3_make(far, far, far), 0);
+        surface_bench_mesh(&bench);
+        VoxelGrid grid = unit_grid(n, n, n);
+        double shell = pow(n, 3) - pow(n - 2, 3);
+        for (int m = 0; m < METHODS; m++) {
+            uint32_t *bits = bits_by(&bench, (Method)m, &grid);
+            double got = bits_count(bits, &grid);
+            cr_assert(m == EXPANDED ? got <= shell : got == shell, "%s, N = %d: %g of %g voxels",
+                      method_names[m], n, got, shell);
+            free(bits);
+        }
+        raster_mesh_delete(&bench.gpu);
+    }
+}
 #endif
