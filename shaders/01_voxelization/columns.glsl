@@ -45,10 +45,10 @@ Columns columns_of(uint triangle, int axis)
     // A plane seen (nearly) edge on reaches everywhere; the bounding box then holds the depth.
     bool edge_on = STEEPEST * abs(normal.z) <= abs(normal.x) + abs(normal.y);
     dvec2 slope = edge_on ? dvec2(0.0) : -normal.xy / normal.z;
-    double depth = p0.z + dot(slope, 0.5 - p0.xy);
+    double depth = edge_on ? 0.0 : p0.z + dot(slope, 0.5 - p0.xy);
     // Along another axis than the dominant one slopes are large, and so is what rounding does to a depth.
     double steep = abs(slope.x) + abs(slope.y);
-    double reach = edge_on ? last.z + abs(depth) : 0.5 * steep + SLACK * max(1.0, steep);
+    double reach = edge_on ? last.z + 2.0 : 0.5 * steep + SLACK * max(1.0, steep);
     return Columns(vec4(p0, inner.x), vec4(p1 * voxels - base, inner.y), vec4(p2 * voxels - base, inner.z),
                    vec4(slope, depth, reach), ivec4(base, triangle));
 }
