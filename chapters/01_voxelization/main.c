@@ -5,6 +5,7 @@
 // Why so: a technique that stores light or shadow in voxels leaks through every hole, and pays for every voxel too many.
 // Source: Gomes, "Real-time indirect illumination and volumetric shadows" (2015), sections 2.1 and 4.2.1, whose conservative listings (4.2 to
 // 4.5) miss voxels; so the exact method follows Schwarz and Seidel (2010) instead. The walk: Amanatides and Woo (1987).
+#include "judge.h"
 #include "methods.h"
 #include "run.h"
 #include "scenes.h"
@@ -15,7 +16,7 @@ static const char *const scenes[] = {"bunny", "cornell", "colonnade", NULL};
 
 // clang-format off
 static const RunParameter parameters[] = {
-    {.name = "method", .kind = RUN_CHOICE, .choices = "exact raster threepass slicing peeling msaa expanded binary", .shows = "how voxels are found"},
+    {.name = "method", .kind = RUN_CHOICE, .choices = "exact raster threepass slicing peeling msaa expanded binary solid", .shows = "how voxels are found"},
     {.name = "resolution", .kind = RUN_INTEGER, .least = 1, .most = 65536, .initial = {64}, .unit = "voxels", .shows = "voxels along the longest side"},
     {.name = "show", .kind = RUN_CHOICE, .choices = "normals steps distance", .shows = "colour of a voxel: its face's normal, the planes that the ray crossed, the distance"},
     {.name = "region_lower", .kind = RUN_VECTOR, .most = 1, .initial = {0, 0, 0}, .shows = "corner of the grid in the scene's box"},
@@ -41,7 +42,9 @@ static const RunStep steps[] = {
 #define SPHERES(method)           SPHERE(method, 1e3) SPHERE(method, 1e4) SPHERE(method, 1e5) SPHERE(method, 1e6)
 #define EACH_METHOD(DO)                                                                                      \
     DO("raster")                                                                                             \
-    DO("threepass") DO("slicing") DO("peeling") DO("msaa") DO("expanded") DO("binary") DO("exact")
+    DO("threepass")                                                                                          \
+    DO("slicing") DO("peeling") DO("msaa") DO("expanded") DO("binary") DO("exact") DO("soli"                 \
+                                                                                      "d")
 // clang-format off
 static const RunRow sweep[] = {
     EACH_METHOD(SWEEPS)
@@ -56,29 +59,34 @@ static const RunRow sweep[] = {
     {method " beam", "beam", "method=" method " resolution=500", NULL},                                      \
     {method " one voxel", "cube", "method=" method " resolution=1", NULL},
 static const RunRow stability[] = {
-    {"cube 16", "cube", "resolution=16", NULL},
-    {"cube 32", "cube", "resolution=32", NULL},
-    {"cube in faces", "cube", "resolution=64", NULL},
-    {"faces", "faces", "resolution=16", NULL},
-    {"oblique", "oblique", "resolution=16", NULL},
-    {"oblique 256", "oblique", "resolution=256", NULL},
-    {"far", "far", "resolution=16", NULL},
-    {"small", "small", "resolution=16", NULL},
-    {"floor", "floor", "resolution=64", NULL},
-    {"one voxel", "cube", "resolution=1", NULL},
-    {"empty", "empty", "resolution=16", NULL},
-    {"vast", "vast", "resolution=32 region_lower=0.4999995,0.4999995,0.4999995 region_upper=0.5000005,0.5000005,0.5000005", NULL},
-    {"slivers", "slivers", "resolution=64", NULL},
-    {"huge", "huge", "resolution=64", NULL},
-    {"tiny", "tiny", "resolution=64", NULL},
-    {"degenerate", "degenerate", "resolution=64", NULL},
-    {"planar", "planar", "resolution=64", NULL},
-    {"one point", "point", "resolution=16", NULL},
-    {"smaller than a voxel", "speck", "resolution=16", NULL},
-    {"crowd", "crowd", "resolution=16", NULL},
-    {"edge", "edge", "resolution=16", NULL},
-    {"beam", "beam", "resolution=500", NULL},
+    {"cube 16", "cube", "method=exact resolution=16", NULL},
+    {"cube 32", "cube", "method=exact resolution=32", NULL},
+    {"cube in faces", "cube", "method=exact resolution=64", NULL},
+    {"faces", "faces", "method=exact resolution=16", NULL},
+    {"oblique", "oblique", "method=exact resolution=16", NULL},
+    {"oblique 256", "oblique", "method=exact resolution=256", NULL},
+    {"far", "far", "method=exact resolution=16", NULL},
+    {"small", "small", "method=exact resolution=16", NULL},
+    {"floor", "floor", "method=exact resolution=64", NULL},
+    {"one voxel", "cube", "method=exact resolution=1", NULL},
+    {"empty", "empty", "method=exact resolution=16", NULL},
+    {"vast", "vast", "method=exact resolution=32 region_lower=0.4999995,0.4999995,0.4999995 region_upper=0.5000005,0.5000005,0.5000005", NULL},
+    {"slivers", "slivers", "method=exact resolution=64", NULL},
+    {"huge", "huge", "method=exact resolution=64", NULL},
+    {"tiny", "tiny", "method=exact resolution=64", NULL},
+    {"degenerate", "degenerate", "method=exact resolution=64", NULL},
+    {"planar", "planar", "method=exact resolution=64", NULL},
+    {"one point", "point", "method=exact resolution=16", NULL},
+    {"smaller than a voxel", "speck", "method=exact resolution=16", NULL},
+    {"crowd", "crowd", "method=exact resolution=16", NULL},
+    {"edge", "edge", "method=exact resolution=16", NULL},
+    {"beam", "beam", "method=exact resolution=500", NULL},
     HARD("raster") HARD("threepass") HARD("slicing") HARD("peeling") HARD("msaa") HARD("expanded") HARD("binary")
+    {"ball", "ball", "method=solid resolution=128", NULL},
+    {"ball inside out", "ball_inside_out", "method=solid resolution=128", NULL},
+    {"ball twice", "ball_twice", "method=solid resolution=128", NULL},
+    {"ball with holes", "ball_holes", "method=solid resolution=128", NULL},
+    {"balls that overlap", "balls", "method=solid resolution=128", NULL},
     {NULL, NULL, NULL, NULL},
 };
 // clang-format on
@@ -103,6 +111,8 @@ static const int DEPTH_MAP_RESOLUTION = 1024; // texels a side
 static const char *const SAME_VOXELS = "scene, grid and method are the last frame's";
 static const char *const SAME_VIEW = "eye, light and grid are the last frame's";
 static const char *const OTHER_METHOD = "this row measures the other method";
+static const char *const NO_INSIDE = "a surface has no inside";
+static const char *const CLOSED = "the mesh is closed: one axis decides";
 static const char *const EMPTY_LIST = "the list is empty";
 
 // What has not changed since the last frame is not built again.
@@ -121,35 +131,6 @@ static uint64_t hash_lights(const Scene *scene)
         hash = hash_bytes(hash_bytes(hash, &light->position, sizeof(vec3)), &light->direction, sizeof(vec3));
     }
     return hash;
-}
-
-// The error rows of a sweep, or the checks of a stability case.
-static void judge(Run *run, const Mesh *mesh, const Voxels *voxels, double fragments, double invocations)
-{
-    size_t words = grid_words(&voxels->grid);
-    uint32_t *got = voxels_read(voxels), *truth = truth_voxels(mesh, &voxels->grid);
-    double voxel_count = voxels_count(truth, NULL, words);
-    double missing = voxels_count(truth, got, words), extra = voxels_count(got, truth, words);
-    // Of the others only this is asked: that they set no voxel that the surface does not touch. What they miss is their sweep's matter.
-    bool exact = run_chosen(run, "method", "exact") || run_chosen(run, "method", "binary");
-    if (run_measuring_error(run)) {
-        run_error(run, "truth", "missing", missing / fmax(voxel_count, 1.0));
-        run_error(run, "truth", "extra", extra / fmax(voxel_count, 1.0));
-        run_error(run, "truth", "wrong", (missing + extra) / fmax(voxel_count, 1.0));
-        run_error(run, "counted", "fragments", fragments);
-        run_error(run, "counted", "invocations", invocations);
-    } else {
-        // Tolerance 0: a voxel is set or it is not, and both sides decide in double.
-        double expected = scenes_voxels(run_case(run)); // closed form, or -1
-        if (exact)
-            run_check(run, "voxels", expected < 0 ? voxel_count : expected, voxels_count(got, NULL, words),
-                      0.0, 0);
-        if (exact)
-            run_check(run, "missing", 0.0, missing, 0.0, 0);
-        run_check(run, "extra", 0.0, extra, 0.0, 0);
-    }
-    free(got);
-    free(truth);
 }
 
 enum { MESH, HOLES, WHOLE, WALK, PICTURES }; // pictures, in the order of `steps`
@@ -180,12 +161,14 @@ int main(int argc, char **argv)
     Raster *raster = raster_open();
     Voxelizer voxelizer = voxelizer_open();
     Surfaces surfaces = surfaces_open();
+    Solids solids = solids_open();
     Walker walker = walker_open();
     while (run_setting(run)) {
         const Scene *scene = run_scene(run);
         const int width = run_width(run), height = run_height(run);
         const bool exact = run_chosen(run, "method", "exact"), pictures = run_picture_needed(run);
-        const char *const method = exact ? "raster" : run_choice(run, "method");
+        const bool filled = run_chosen(run, "method", "solid"), fill = filled || run_everything(run);
+        const char *const method = exact || filled ? "raster" : run_choice(run, "method");
         const WalkShow show = run_chosen(run, "show", "normals") ? WALK_NORMALS
                               : run_chosen(run, "show", "steps") ? WALK_STEPS
                                                                  : WALK_DISTANCE;
@@ -203,6 +186,13 @@ int main(int argc, char **argv)
         }
         RasterMesh mesh = raster_mesh(scene);
         TriangleLists lists = triangle_lists_create(&mesh);
+        SolidMesh solid = {0};
+        SolidWork inside = {0};
+        if (fill) {
+            solid = solid_mesh_create(scene, &mesh);
+            inside = solid_work_create(&grid, &solid, run_everything(run));
+        }
+        const Voxels *const chosen = exact ? &voxels[EXACT] : filled ? &inside.result : &voxels[FOUND];
         GBuffer gbuffer = raster_gbuffer(width, height);
         DepthMap *maps = memory_new(scene->light_count, sizeof *maps, "the depth maps");
         for (size_t i = 0; i < scene->light_count; i++)
@@ -236,7 +226,7 @@ int main(int argc, char **argv)
             //]
 
             //[voxelize
-            if (run_pass(run, method, new_voxels && (pictures || !exact),
+            if (run_pass(run, method, new_voxels && (pictures || (!exact && !filled)),
                          new_voxels ? OTHER_METHOD : SAME_VOXELS)) {
                 MethodWork work =
                     method_find(method, &voxelizer, &surfaces, &mesh, run_everything(run), &voxels[FOUND]);
@@ -255,6 +245,23 @@ int main(int argc, char **argv)
             for (int list = 0; list < LIST_COUNT; list++)
                 if (run_pass(run, passes[list], find && lists.count[list] > 0, find ? EMPTY_LIST : why_not))
                     voxelize_list(&voxelizer, &mesh, &lists, list, &voxels[EXACT]);
+            //]
+
+            //[solid
+            static const char *const parities[] = {"solid: along x", "solid: along y", "solid: along z"};
+            for (int axis = 2; axis >= 0; axis--)
+                if (run_pass(run, parities[axis], filled && new_voxels && (axis == 2 || !solid.closed),
+                             !filled      ? NO_INSIDE
+                             : new_voxels ? CLOSED
+                                          : SAME_VOXELS)) {
+                    solid_flip(&solids, &solid, &inside, axis);
+                    solid_scan(&solids, &inside, axis);
+                }
+            if (run_pass(run, "solid: vote", filled && new_voxels && !solid.closed,
+                         !filled      ? NO_INSIDE
+                         : new_voxels ? CLOSED
+                                      : SAME_VOXELS))
+                solid_vote(&solids, &solid, &inside);
             //]
 
             WalkPicture picture = {.show = show, .camera = &camera, .width = width, .height = height};
@@ -284,7 +291,7 @@ int main(int argc, char **argv)
 
             //[walk
             if (pictures) {
-                picture.voxels = &voxels[exact ? EXACT : FOUND];
+                picture.voxels = chosen;
                 picture.lines = false;
                 picture.blocks = blocks[WALK];
                 picture.framebuffer = framebuffer[WALK];
@@ -295,6 +302,9 @@ int main(int argc, char **argv)
             run_step(run, "walk", texture[WALK]);
             //]
 
+            if (run_truth_wanted(run) && filled)
+                fail_request(
+                    "--truth: of the methods, solid has no picture of its truth; ask for a surface's");
             if (run_truth_wanted(run)) {
                 uint32_t *bits = truth_voxels(&scene->mesh, &grid);
                 Image truth = walk_truth(bits, &grid, show, &camera, width, height);
@@ -308,12 +318,24 @@ int main(int argc, char **argv)
             MethodCounter counter = method_count_begin();
             if (exact)
                 voxelize_exact(&voxelizer, &mesh, &lists, &voxels[EXACT]);
+            else if (filled)
+                solid_voxelize(&solids, &solid, &inside);
             else
                 method_find(method, &voxelizer, &surfaces, &mesh, run_everything(run), &voxels[FOUND]);
             method_count_end(&counter, &fragments, &invocations);
         }
-        if (run_measuring_error(run) || run_checking(run))
-            judge(run, &scene->mesh, &voxels[exact ? EXACT : FOUND], fragments, invocations);
+        if ((run_measuring_error(run) || run_checking(run)) && filled)
+            judge_solid(run, &solid, chosen, fragments, invocations);
+        else if (run_measuring_error(run) || run_checking(run))
+            judge_surface(run, &scene->mesh, chosen, fragments, invocations);
+        if (fill) {
+            char *message = filled ? solid_message(scene->name, &solid, &inside) : NULL;
+            if (message)
+                note("%s", message);
+            free(message);
+            solid_work_delete(&inside);
+            solid_mesh_delete(&solid);
+        }
 
         for (size_t i = 0; i < scene->light_count; i++)
             raster_depth_map_delete(&maps[i]);
@@ -330,6 +352,7 @@ int main(int argc, char **argv)
             voxels_delete(&voxels[i]);
     }
     walker_close(&walker);
+    solids_close(&solids);
     surfaces_close(&surfaces);
     voxelizer_close(&voxelizer);
     raster_close(raster);

@@ -2,6 +2,7 @@
 // are float32 numbers exactly.
 #include "scenes.h"
 #include "scenes_hard.h"
+#include "solid_scenes.h"
 #include <string.h>
 
 static void add_sun(Scene *scene)
@@ -105,6 +106,11 @@ const SceneKind voxel_scenes[] = {
      scenes_make_crowd},
     {"edge", "a triangle with an edge of 8 m along a line of the grid, in a box of 16 m", scenes_make_edge},
     {"beam", "a box of 3 x 500 x 7 m", scenes_make_beam},
+    {"ball", "a ball of 7.5 m", make_ball},
+    {"ball_inside_out", "the ball, its triangles wound the other way", make_ball_inside_out},
+    {"ball_twice", "the ball, each triangle twice", make_ball_twice},
+    {"ball_holes", "the ball with holes: one triangle of 96 is missing", make_ball_holes},
+    {"balls", "two balls of 5 m that overlap", make_balls},
     {"sphere_1e3", "a sphere of about a thousand triangles", scenes_make_sphere_1e3},
     {"sphere_1e4", "a sphere of about ten thousand triangles", scenes_make_sphere_1e4},
     {"sphere_1e5", "a sphere of about a hundred thousand triangles", scenes_make_sphere_1e5},
