@@ -10,8 +10,7 @@ static const double ALBEDO_STEPS = 1023.0, NORMAL_STEPS = 511.0;
 
 Attributer attributer_open(void)
 {
-    static const char *const stores[] = {"COLUMN_ONLY 1\nSTORE 0", "COLUMN_ONLY 1\nSTORE 1\nSUMS 1",
-                                         "COLUMN_ONLY 1\nSTORE 2", "COLUMN_ONLY 1\nSTORE 3"};
+    static const char *const stores[] = {"STORE 0", "STORE 1\nSUMS 1", "STORE 2", "STORE 3"};
     static const char *const labels[] = {"count fragments", "sum attributes", "list fragments",
                                          "average by listing 4.9"};
     Attributer attributer = {
@@ -216,7 +215,9 @@ VoxelAttributes *attributes_read(const Attributes *attributes)
     gl_buffer_read(attributes->sums, 0, slots * SUMS_A_VOXEL * sizeof *sums, sums);
     for (size_t i = 0; i < slots; i++) {
         const uint32_t *sum = sums + SUMS_A_VOXEL * i;
-        double fragments = sum[0] > 0 ? sum[0] : 1;
+        double fragments = sum[0];
+        if (sum[0] == 0)
+            fail_work("a voxel is set that no triangle touches: attributes want the voxels of method exact");
         if (sum[0] > ATTRIBUTES_MOST)
             fail_work("a voxel has %" PRIu32 " fragments, and sums hold %u: choose a higher resolution",
                       sum[0], ATTRIBUTES_MOST);

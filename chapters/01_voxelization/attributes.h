@@ -55,7 +55,7 @@ void fragment_list_fill(const Attributer *attributer, const Fragments *from, Att
 // Sums of the list: bit for bit those of attributes_sum.
 void fragment_list_sum(const Attributer *attributer, const Fragments *from, Attributes *attributes);
 
-// Of each slot, in new memory. Ends the program where a voxel has more than ATTRIBUTES_MOST fragments.
+// Of each slot, in new memory. Ends the program where a voxel has more than ATTRIBUTES_MOST fragments, or none.
 VoxelAttributes *attributes_read(const Attributes *attributes);
 // Red, green, blue and count a byte each, lowest first, as listing 4.9 leaves them: in new memory.
 uint32_t *attributes_read_averages(const Attributes *attributes);

@@ -5,8 +5,17 @@
 #include "common/overlap.glsl"
 #include "01_voxelization/turn.glsl"
 
-#ifndef COLUMN_ONLY // where bits go elsewhere
+// What becomes of a voxel that is touched: its bit is set, or with STORE its triangle's attributes are kept; with COLUMN_ONLY the includer says.
+#ifdef STORE
+#include "01_voxelization/store.glsl"
+#elif !defined COLUMN_ONLY
 layout(std430, binding = 0) buffer Grid { uint grid_words[]; };
+
+void voxel_found(ivec3 voxel, uint triangle)
+{
+    uint place, word = grid_word(voxel, place);
+    atomicOr(grid_words[word], 1u << place);
+}
 #endif
 
 // In turned space and voxels from the voxel `base`.
@@ -91,14 +100,8 @@ void voxelize_column(Columns c, ivec2 column, int axis)
     ivec2 span = column_span(c, column, axis);
     float extent = column_extent(c, column, span);
     for (int depth = span.x; depth <= span.y; depth++)
-        if (touches(c, ivec3(column, depth), extent, axis)) {
-            uint place, word = grid_word(TURN_BACK(c.base.xyz + ivec3(column, depth), axis), place);
-            atomicOr(grid_words[word], 1u << place);
-        }
+        if (touches(c, ivec3(column, depth), extent, axis))
+            voxel_found(TURN_BACK(c.base.xyz + ivec3(column, depth), axis), uint(c.base.w));
 }
 #endif
 //]
-
-#ifdef STORE // the fragments' attributes instead of their bits
-#include "01_voxelization/store.glsl"
-#endif

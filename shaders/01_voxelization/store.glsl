@@ -9,7 +9,7 @@ layout(std430, binding = 8) buffer FragmentCount { uint fragment_count[2]; }; //
 layout(std430, binding = 9) writeonly buffer Fragments { uvec2 fragments[]; }; // number of the voxel, triangle
 uniform uint capacity; // fragments that the list has room for
 
-void store(ivec3 voxel, uint triangle)
+void voxel_found(ivec3 voxel, uint triangle)
 {
 #if STORE == 0
     if (atomicAdd(fragment_count[0], 1u) == 0xffffffffu)
@@ -23,14 +23,5 @@ void store(ivec3 voxel, uint triangle)
 #else
     average_add(voxel_slot(voxel), fragment_albedo(triangle));
 #endif
-}
-
-void voxelize_column(Columns c, ivec2 column, int axis)
-{
-    ivec2 span = column_span(c, column, axis);
-    float extent = column_extent(c, column, span);
-    for (int depth = span.x; depth <= span.y; depth++)
-        if (touches(c, ivec3(column, depth), extent, axis))
-            store(TURN_BACK(c.base.xyz + ivec3(column, depth), axis), uint(c.base.w));
 }
 #endif
