@@ -5,6 +5,7 @@
 // Why so: a technique that stores light or shadow in voxels leaks through every hole, and pays for every voxel too many.
 // Source: Gomes, "Real-time indirect illumination and volumetric shadows" (2015), sections 2.1 and 4.2.1, whose conservative listings (4.2 to
 // 4.5) miss voxels; so the exact method follows Schwarz and Seidel (2010) instead. The walk: Amanatides and Woo (1987).
+#include "attributes.h"
 #include "judge.h"
 #include "methods.h"
 #include "run.h"
@@ -19,6 +20,7 @@ static const RunParameter parameters[] = {
     {.name = "method", .kind = RUN_CHOICE, .choices = "exact raster threepass slicing peeling msaa expanded binary solid", .shows = "how voxels are found"},
     {.name = "resolution", .kind = RUN_INTEGER, .least = 1, .most = 65536, .initial = {64}, .unit = "voxels", .shows = "voxels along the longest side"},
     {.name = "show", .kind = RUN_CHOICE, .choices = "normals steps distance", .shows = "colour of a voxel: its face's normal, the planes that the ray crossed, the distance"},
+    {.name = "storage", .kind = RUN_CHOICE, .choices = "occupancy attributes list average", .shows = "what the voxels of method exact hold besides their bit"},
     {.name = "region_lower", .kind = RUN_VECTOR, .most = 1, .initial = {0, 0, 0}, .shows = "corner of the grid in the scene's box"},
     {.name = "region_upper", .kind = RUN_VECTOR, .most = 1, .initial = {1, 1, 1}, .shows = "opposite corner of the grid in the scene's box"},
     {.name = NULL},
@@ -43,8 +45,9 @@ static const RunStep steps[] = {
 #define EACH_METHOD(DO)                                                                                      \
     DO("raster")                                                                                             \
     DO("threepass")                                                                                          \
-    DO("slicing") DO("peeling") DO("msaa") DO("expanded") DO("binary") DO("exact") DO("soli"                 \
-                                                                                      "d")
+    DO("slicing")                                                                                            \
+    DO("peeling") DO("msaa") DO("expanded") DO("binary") DO("exact") DO("soli"                               \
+                                                                        "d")
 // clang-format off
 static const RunRow sweep[] = {
     EACH_METHOD(SWEEPS)
@@ -113,6 +116,7 @@ static const char *const SAME_VIEW = "eye, light and grid are the last frame's";
 static const char *const OTHER_METHOD = "this row measures the other method";
 static const char *const NO_INSIDE = "a surface has no inside";
 static const char *const CLOSED = "the mesh is closed: one axis decides";
+static const char *const OCCUPANCY = "occupancy alone is asked, or another storage";
 static const char *const EMPTY_LIST = "the list is empty";
 
 // What has not changed since the last frame is not built again.
@@ -162,6 +166,7 @@ int main(int argc, char **argv)
     Voxelizer voxelizer = voxelizer_open();
     Surfaces surfaces = surfaces_open();
     Solids solids = solids_open();
+    Attributer attributer = attributer_open();
     Walker walker = walker_open();
     while (run_setting(run)) {
         const Scene *scene = run_scene(run);
@@ -245,6 +250,27 @@ int main(int argc, char **argv)
             for (int list = 0; list < LIST_COUNT; list++)
                 if (run_pass(run, passes[list], find && lists.count[list] > 0, find ? EMPTY_LIST : why_not))
                     voxelize_list(&voxelizer, &mesh, &lists, list, &voxels[EXACT]);
+            //]
+
+            //[storage
+            const bool store = find && !run_chosen(run, "storage", "occupancy");
+            const Fragments from = {&voxelizer, &mesh, &lists};
+            Attributes stored = {0};
+            if (run_pass(run, "storage: rank", store, find ? OCCUPANCY : why_not))
+                stored = attributes_rank(&attributer, &voxels[EXACT]);
+            if (run_pass(run, "storage: sums", store && run_chosen(run, "storage", "attributes"),
+                         find ? OCCUPANCY : why_not))
+                attributes_sum(&attributer, &from, &stored);
+            if (run_pass(run, "storage: list", store && run_chosen(run, "storage", "list"),
+                         find ? OCCUPANCY : why_not)) {
+                run_count(run, "listed", (double)fragment_list_count(&attributer, &from, &stored));
+                fragment_list_fill(&attributer, &from, &stored);
+                run_count(run, "bytes", (double)attributes_bytes(&stored));
+            }
+            if (run_pass(run, "storage: average", store && run_chosen(run, "storage", "average"),
+                         find ? OCCUPANCY : why_not))
+                attributes_average(&attributer, &from, &stored);
+            attributes_delete(&stored);
             //]
 
             //[solid
@@ -352,6 +378,7 @@ int main(int argc, char **argv)
             voxels_delete(&voxels[i]);
     }
     walker_close(&walker);
+    attributer_close(&attributer);
     solids_close(&solids);
     surfaces_close(&surfaces);
     voxelizer_close(&voxelizer);

@@ -19,11 +19,6 @@ void main()
     vec2 upper = max(c.corner0.xy, max(c.corner1.xy, c.corner2.xy)) + SLACK;
     ivec2 first = max(ivec2(floor(lower)), -c.base.xy);
     ivec2 last = min(ivec2(floor(upper)), TURN(grid_size, axis).xy - 1 - c.base.xy);
-#ifdef STORE // store.glsl treats a column as a whole
-    for (int y = first.y; y <= last.y; y++)
-        for (int x = first.x; x <= last.x; x++)
-            voxelize_column(c, ivec2(x, y), axis);
-#else
     if (any(lessThan(last, first)))
         return;
     // One loop over all voxels, not three nested ones: invocations run in step, and each waits for the longest in every loop.
@@ -47,6 +42,5 @@ void main()
             depth = span.x;
         }
     }
-#endif
 }
 //]
