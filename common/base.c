@@ -20,6 +20,7 @@ static void print_line(const char *kind, const char *format, va_list arguments)
             *c = ' '; // one line, whatever a library put into it
     fflush(stdout);
     fprintf(stderr, "%s: %s%s\n", program_invocation_short_name, kind, message ? message : format);
+    fflush(stderr); // leave() flushes nothing
     free(message);
 }
 
@@ -29,16 +30,25 @@ static void print_line(const char *kind, const char *format, va_list arguments)
     print_line(kind, format, arguments);                                                                     \
     va_end(arguments)
 
+static void remove_unfinished(void);
+
+// Not exit(): GL's own exit handler waits for its threads, for ever where one is still drawing what failed.
+BASE_NORETURN static void leave(int status)
+{
+    remove_unfinished();
+    _exit(status);
+}
+
 void fail_work(const char *format, ...)
 {
     PRINT_LINE("");
-    exit(1); // temporary files go at exit, see file_begin
+    leave(1);
 }
 
 void fail_request(const char *format, ...)
 {
     PRINT_LINE("");
-    exit(2);
+    leave(2);
 }
 
 void note(const char *format, ...)

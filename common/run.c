@@ -189,16 +189,25 @@ bool run_frame(Run *run)
     return true;
 }
 
+static int step_find(const Run *run, const char *name)
+{
+    for (int step = 0; step < run->step_count; ++step)
+        if (strcmp(run->about->steps[step].name, name) == 0)
+            return step;
+    fail_work("step '%s' is not among this chapter's steps", name);
+}
+
+bool run_step_shown(const Run *run, const char *name)
+{
+    return step_find(run, name) == run->step_wanted;
+}
+
 void run_step(Run *run, const char *name, GLuint picture)
 {
     run_plan_end_pass(run);
     if (run->stopped)
         return;
-    int step = 0;
-    while (step < run->step_count && strcmp(run->about->steps[step].name, name) != 0)
-        ++step;
-    if (step == run->step_count)
-        fail_work("step '%s' is not among this chapter's steps", name);
+    int step = step_find(run, name);
     run->step_shown = step;
     run->shown = picture;
     run->stopped =

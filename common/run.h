@@ -80,11 +80,9 @@ vec3 run_vector(const Run *run, const char *name);
 const char *run_choice(const Run *run, const char *name);
 // strcmp(run_choice(…), choice) == 0; a choice not listed ends the program.
 bool run_chosen(const Run *run, const char *name, const char *choice);
-uint64_t run_seed(const Run *run);
 // 0, 1, …: fixed steps of 1/60 s for animation. Warm-up and repeats of a measurement are all frame 0, so what is built in frame 0 is measured.
 int run_frame_number(const Run *run);
-bool run_deforming(const Run *run); // --path deform
-bool run_everything(const Run *run);
+bool run_everything(const Run *run); // --everything: run_pass leaves nothing out, and neither may what a pass does inside
 const char *run_case(const Run *run);     // name of the sweep row or stability case, or NULL
 bool run_measuring_error(const Run *run); // this setting wants run_error (a sweep)
 bool run_checking(const Run *run);        // this setting wants run_check (a stability case)
@@ -103,7 +101,8 @@ void run_skipped(Run *run, double skipped, double of);
 
 // The picture (RGBA32F texture, linear radiance, the run's size) of a named step; the last step reached is shown, --step stops there.
 void run_step(Run *run, const char *name, GLuint picture);
-bool run_stopped(const Run *run);  // the --step asked for has been reached in this frame
+// Whether this step's picture is the one that will be shown: passes that only paint another can be left out.
+bool run_step_shown(const Run *run, const char *name);
 Image run_picture(const Run *run); // the shown picture of the last frame, top row first; the caller frees it
 
 // --truth FILE was given: give the picture to write for this setting's view (asked in the last frame and after it). In a sweep with --path it is

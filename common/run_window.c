@@ -7,12 +7,12 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { BORDER = 6 }; // pixels of the red frame of a shader error
 enum {
+    BORDER = 6,
     BAR = 10,
-    BAR_SPACE = 4,
+    SPACE = 4,
     BARS_WIDTH = 240
-}; // pixels of a pass's bar; its width stands for the whole frame's time
+}; // pixels: a shader error's frame; a pass's bar, BARS_WIDTH is the whole frame's time
 static const double ORBIT_RAD_PER_PIXEL = 0.008; // half a turn in some 400 pixels
 static const double ZOOM_PER_NOTCH = 0.9;
 static const double RELOAD_SECONDS = 0.1; // how often saved shaders are looked for
@@ -93,18 +93,7 @@ static void parameter_change(Run *run, int by)
     value->given = run->rebuild = true;
 }
 
-// Swing a point about the scene's centre, and set it, or the way from it to the centre, as the light's.
-static void light_set(Run *run, const char *name, vec3 point, bool way, float yaw_rad, float pitch_rad)
-{
-    vec3 centre = 0.5f * (run->scene->lower + run->scene->upper);
-    Camera at = {.eye = point, .target = centre, .up = vec3_make(0, 1, 0)};
-    vec3 swung = camera_orbit(at, yaw_rad, pitch_rad, 1).eye;
-    RunValue *value = value_of(run, name);
-    for (int i = 0; i < 3; ++i)
-        value->number[i] = way ? centre[i] - swung[i] : swung[i];
-    value->given = run->rebuild = true;
-}
-
+// Swing where the light is about the scene's centre, and the way it shines along.
 static void light_move(Run *run, float yaw_rad, float pitch_rad)
 {
     RunValue *chosen = value_of(run, "light");
@@ -112,10 +101,16 @@ static void light_move(Run *run, float yaw_rad, float pitch_rad)
         return;
     const Light *light = &run->scene->lights[(size_t)chosen->number[0]];
     vec3 centre = 0.5f * (run->scene->lower + run->scene->upper);
-    if (light->kind != LIGHT_POINT)
-        light_set(run, "light_direction", centre - light->direction, true, yaw_rad, pitch_rad);
-    if (light->kind != LIGHT_DIRECTIONAL)
-        light_set(run, "light_position", light->position, false, yaw_rad, pitch_rad);
+    for (int way = 0; way < 2; ++way) {
+        if (light->kind == (way ? LIGHT_POINT : LIGHT_DIRECTIONAL))
+            continue;
+        Camera arm = {.eye = way ? -light->direction : light->position - centre, .up = vec3_make(0, 1, 0)};
+        vec3 swung = camera_orbit(arm, yaw_rad, pitch_rad, 1).eye, set = way ? -swung : centre + swung;
+        RunValue *value = value_of(run, way ? "light_direction" : "light_position");
+        for (int i = 0; i < 3; ++i)
+            value->number[i] = (double)set[i];
+        value->given = run->rebuild = true;
+    }
 }
 
 static void camera_move(Run *run, float yaw_rad, float pitch_rad, float zoom)
@@ -145,16 +140,15 @@ static void shaders_reload(Run *run, bool all)
 static void screenshot(const Run *run)
 {
     char *path = NULL;
-    int number = 0;
-    do {
+    for (int number = 1; !path || access(path, F_OK) == 0; ++number) {
         free(path);
-        path = text_format("out/%s-%d.png", run->about->chapter, ++number);
-    } while (access(path, F_OK) == 0);
-    folder_make("out");
+        path = text_format("out/%s-%d.png", run->about->chapter, number);
+    }
     Image picture = run_picture(run);
+    folder_make("out");
     image_write(path, &picture, (float)run_number(run, "exposure"));
     printf("%s\n", path);
-    say("");
+    fflush(stdout);
     image_free(&picture);
     free(path);
 }
@@ -221,11 +215,11 @@ static void on_refresh(GLFWwindow *window)
 static void on_size(GLFWwindow *window, int width, int height)
 {
     Run *run = glfwGetWindowUserPointer(window);
-    if (width < 1 || height < 1 || (width == run->width && height == run->height)) // minimized, or no change
+    if (width < 1 || height < 1) // minimized
         return;
+    run->rebuild |= width != run->width || height != run->height;
     run->width = width;
     run->height = height;
-    run->rebuild = true;
 }
 
 void run_window_open(Run *run)
@@ -263,20 +257,11 @@ static void passes_draw(const Run *run)
     double total = fmax(run_plan_ms(run, true), 1e-9);
     for (int i = 0; i < (int)run->pass_count; ++i) {
         const RunPass *pass = &run->passes[i];
-        int y = run->height - (i + 1) * (BAR + BAR_SPACE);
+        int y = run->height - (i + 1) * (BAR + SPACE);
         int length = pass->ran ? 1 + (int)(pass->ms / total * (BARS_WIDTH - 1)) : BARS_WIDTH / 8;
-        rectangle(BAR_SPACE, y, BARS_WIDTH, BAR, black);
-        rectangle(BAR_SPACE, y, length, BAR, pass->ran ? green : grey);
+        rectangle(SPACE, y, BARS_WIDTH, BAR, black);
+        rectangle(SPACE, y, length, BAR, pass->ran ? green : grey);
     }
-}
-
-static void border_draw(int width, int height)
-{
-    const float red[] = {0.9f, 0.05f, 0.05f, 1};
-    rectangle(0, 0, width, BORDER, red);
-    rectangle(0, height - BORDER, width, BORDER, red);
-    rectangle(0, 0, BORDER, height, red);
-    rectangle(width - BORDER, 0, BORDER, height, red);
 }
 
 static void title_set(const Run *run)
@@ -295,14 +280,16 @@ static void title_set(const Run *run)
 static void present(const Run *run)
 {
     const struct RunWindow *state = run->window_state;
+    const float red[] = {0.9f, 0.05f, 0.05f, 1};
     gl.BindTextureUnit(0, run->shown);
     shader_set_float(state->present, "exposure_stops", (float)run_number(run, "exposure"));
     raster_fullscreen(state->raster, state->present, 0, run->width, run->height);
     gl.Enable(GL_SCISSOR_TEST);
     if (state->passes_shown)
         passes_draw(run);
-    if (state->shader_error)
-        border_draw(run->width, run->height);
+    for (int side = 0; side < 4 && state->shader_error; ++side) // left, bottom, right, top
+        rectangle(side == 2 ? run->width - BORDER : 0, side == 3 ? run->height - BORDER : 0,
+                  side % 2 ? run->width : BORDER, side % 2 ? BORDER : run->height, red);
     gl.Disable(GL_SCISSOR_TEST);
     glfwSwapBuffers(state->window);
     title_set(run);
@@ -336,5 +323,4 @@ void run_window_close(Run *run)
     raster_close(state->raster);
     free(state->shader_error);
     free(state);
-    run->window_state = NULL;
 }

@@ -7,6 +7,8 @@
 
 // Of the scene's diagonal: the default of a light's radius.
 static const float LIGHT_RADIUS_OF_DIAGONAL = 1e-4f;
+// Where an OBJ has no normals, edges flatter than this are smoothed.
+static const float CREASE_DEGREES = 60;
 
 static Scene *scene_new(const char *name)
 {
@@ -24,7 +26,12 @@ static Scene *scene_complete(Scene *scene, bool may_be_empty)
     vec3 lower, upper;
     scene_bounds(&scene->mesh, &lower, &upper);
     const float diagonal = vec3_length(upper - lower);
-    if (scene->light_count == 0) // irradiance π: a white surface that faces it has radiance 1
+    if (!(diagonal > 0 && isfinite(diagonal))) // its square leaves float32, in shaders too
+        fail_work("%s: refused: it is %g m wide; sizes from 1e-18 to 1e18 m can be worked with", scene->name,
+                  fmax(fmax((double)upper[0] - (double)lower[0], (double)upper[1] - (double)lower[1]),
+                       (double)upper[2] - (double)lower[2]));
+    if (scene->light_count == 0 &&
+        !may_be_empty) // a file without lights: irradiance π: a white surface that faces it has radiance 1
         scene_add_light(scene, (Light){.kind = LIGHT_DIRECTIONAL,
                                        .direction = vec3_make(0.5f, -0.8f, -0.4f),
                                        .intensity = vec3_make(1, 1, 1) * 3.14159265f});
@@ -48,22 +55,26 @@ Scene *scene_from(const SceneKind *kind, uint64_t seed)
 {
     Scene *scene = scene_new(kind->name);
     kind->make(scene, seed);
-    return scene_complete(scene, true);
+    scene_complete(scene, true);
+    scene->report.repaired_normals = 0; // a generator leaves them open on purpose
+    return scene;
 }
 
 Scene *scene_open(const char *name_or_file, uint64_t seed)
 {
     if (strpbrk(name_or_file, "./")) {
         Scene *scene = scene_new(name_or_file);
-        scene_import(scene, name_or_file);
+        scene_import(scene, name_or_file, CREASE_DEGREES);
         return scene_complete(scene, false);
     }
-    char names[1000] = "";
-    for (const SceneKind *kind = scene_kinds; kind->name; kind++) {
+    for (const SceneKind *kind = scene_kinds; kind->name; kind++)
         if (strcmp(kind->name, name_or_file) == 0)
             return scene_from(kind, seed);
-        strncat(names, kind->name, sizeof names - strlen(names) - 1);
-        strncat(names, ", ", sizeof names - strlen(names) - 1);
+    char *names = text_format("%s", "");
+    for (const SceneKind *kind = scene_kinds; kind->name; kind++) {
+        char *longer = text_format("%s%s, ", names, kind->name);
+        free(names);
+        names = longer;
     }
     fail_request("--scene: no scene is named '%s'; there are %sor a model file (a path with a '.' or '/')",
                  name_or_file, names);
@@ -89,8 +100,9 @@ void scene_close(Scene *scene)
 // is exact in double. h keeps its 24 bits unless the scene lies farther off than 2^27 voxels.
 VoxelGrid scene_grid(const Scene *scene, int resolution)
 {
-    vec3 lower, upper;
-    scene_bounds(&scene->mesh, &lower, &upper);
+    const vec3 half = vec3_make(0.5f, 0.5f, 0.5f); // of the cube that stands for an empty scene
+    const bool empty = scene->mesh.triangle_count == 0;
+    const vec3 lower = empty ? -half : scene->lower, upper = empty ? half : scene->upper;
     double longest = 0, farthest = 0;
     for (int axis = 0; axis < 3; axis++) {
         longest = fmax(longest, (double)upper[axis] - (double)lower[axis]);

@@ -1,11 +1,21 @@
 // scene_builtin: the list of the built-in scenes, and those that are short.
 #include "scene_builtin.h"
 
+#include <unistd.h>
+
+// A model that a Debian package brings.
+static void import_packaged(Scene *scene, const char *path, const char *package)
+{
+    if (access(path, R_OK) != 0)
+        fail_work("scene %s: %s is missing; install the Debian package %s", scene->name, path, package);
+    scene_import(scene, path, 180);
+}
+
 static void make_bunny(Scene *scene, uint64_t seed)
 {
     (void)seed;
-    scene_import_packaged(scene, "/usr/share/glmark2/models/bunny.obj",
-                          "glmark2-data"); // 2 m wide, its centre in the origin
+    import_packaged(scene, "/usr/share/glmark2/models/bunny.obj",
+                    "glmark2-data"); // 2 m wide, its centre in the origin
     scene->materials[0].albedo = vec3_make(0.70f, 0.62f, 0.52f);
     scene_add_light(scene, (Light){.kind = LIGHT_SPOT,
                                    .position = vec3_make(-2.5f, 3, 2.5f),
@@ -15,11 +25,11 @@ static void make_bunny(Scene *scene, uint64_t seed)
     scene_aim_camera(scene, vec3_make(0.15f, 0.25f, 1), 0.7f);
 }
 
-// The office of geomview's data: inches, z up.
+// The furniture of geomview's office, in inches and z up, on a floor before two walls.
 static void make_office(Scene *scene, uint64_t seed)
 {
     (void)seed;
-    scene_import_packaged(scene, "/usr/share/geomview/geom/office.oogl", "geomview");
+    import_packaged(scene, "/usr/share/geomview/geom/office.oogl", "geomview");
     Mesh *mesh = &scene->mesh;
     vec3 lower, upper;
     scene_bounds(mesh, &lower, &upper);
@@ -31,6 +41,19 @@ static void make_office(Scene *scene, uint64_t seed)
         p[1] = inch * (p[2] - lower[2]);
         p[2] = -inch * from[1];
     }
+    scene->materials[0].albedo = vec3_make(0.62f, 0.50f, 0.38f);
+    const vec3 black = vec3_make(0, 0, 0);
+    const uint32_t floor = scene_add_material(scene, "floor", vec3_make(0.33f, 0.36f, 0.40f), black);
+    const uint32_t wall = scene_add_material(scene, "wall", vec3_make(0.74f, 0.72f, 0.66f), black);
+    const vec3 corner = vec3_make(-2.2f, 0, -2.4f), x = vec3_make(4.6f, 0, 0), y = vec3_make(0, 2.8f, 0),
+               z = vec3_make(0, 0, 4.9f);
+    mesh_add_quad(mesh, corner, z, x, floor);
+    mesh_add_quad(mesh, corner, x, y, wall);
+    mesh_add_quad(mesh, corner, y, z, wall);
+    scene_add_light(scene, (Light){.kind = LIGHT_POINT,
+                                   .position = vec3_make(0.4f, 2.6f, 0.6f),
+                                   .intensity = vec3_make(16, 15, 13)});
+    scene_aim_camera(scene, vec3_make(0.75f, 0.55f, 1), 0.7f);
 }
 
 // Cornell's box as a room of 5.5 m: five thin walls that face inwards, two closed blocks; the blocks' sizes and turns are those of the
@@ -74,7 +97,7 @@ const SceneKind scene_kinds[] = {
     {"bunny", "Stanford's bunny, 69 666 triangles, watertight, under a spot", make_bunny},
     {"cornell", "a room of thin walls, red and green, with two blocks and a point light", make_cornell},
     {"colonnade", "a courtyard with two storeys of arcades in the sun", make_colonnade},
-    {"office", "a furnished office", make_office},
+    {"office", "a furnished office, 3 460 polygons of bookcases, desk and chairs", make_office},
     {"empty", "no triangle", make_empty},
     {"slivers", "triangles up to a million times longer than high, in all directions", make_slivers},
     {"huge", "a round temple 10^6 m from the origin on each axis", make_huge},

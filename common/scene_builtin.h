@@ -5,9 +5,8 @@
 #include "scene.h"
 
 // Everything in a model file, nodes' transforms applied, not yet validated (scene_import.c). Work error where Assimp cannot read it.
-void scene_import(Scene *scene, const char *path);
-// The same for a model that a Debian package brings: work error that names the package where the file is missing.
-void scene_import_packaged(Scene *scene, const char *path, const char *package);
+// Where an OBJ has no normals, edges flatter than `crease_degrees` are smoothed; from 175 on all are, in half the time.
+void scene_import(Scene *scene, const char *path, float crease_degrees);
 // The box of the triangles, NaN and bad indices left out; false and a cube of 1 m around the origin where there is none.
 bool scene_bounds(const Mesh *mesh, vec3 *lower, vec3 *upper);
 

@@ -44,7 +44,8 @@ static void temple(Scene *scene, vec3 offset, float scale)
         vec3 corner[3] = {{0}, {0}, {0}};
         for (size_t k = 0; k < 3; k++)
             for (size_t axis = 0; axis < 3; axis++)
-                corner[k][axis] = roundf(16 * parts.positions[3 * parts.indices[3 * i + k] + axis]) / 16;
+                corner[k][axis] =
+                    roundf(16 * parts.positions[3 * (size_t)parts.indices[3 * i + k] + axis]) / 16;
         const vec3 normal = vec3_cross(corner[1] - corner[0], corner[2] - corner[0]);
         uint32_t vertex[3];
         for (int k = 0; k < 3; k++)
@@ -126,7 +127,7 @@ void make_degenerate(Scene *scene, uint64_t seed)
         mesh_add_triangle(mesh, a, c, b, 0); // the same from behind, over shared edges
         mesh_add_triangle(mesh, a, a, a, 0); // a point
         mesh_add_triangle(mesh, b, b, c, 0); // an edge
-        const float *p = mesh->positions + 3 * a, *q = mesh->positions + 3 * b;
+        const float *p = mesh->positions + 3 * (size_t)a, *q = mesh->positions + 3 * (size_t)b;
         const vec3 from = vec3_make(p[0], p[1], p[2]), to = vec3_make(q[0], q[1], q[2]);
         mesh_add_triangle(mesh, a, b, mesh_add_vertex(mesh, 2 * to - from, vec3_make(0, 1, 0)),
                           0); // three points on a line

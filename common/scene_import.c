@@ -10,10 +10,6 @@
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
-#include <unistd.h>
-
-// Where a file has no normals: edges flatter than this are smoothed.
-static const float CREASE_DEGREES = 60;
 
 static vec3 vec3_from(struct aiVector3D v)
 {
@@ -86,10 +82,11 @@ static void add_light(Scene *scene, const struct aiLight *source, const struct a
 
 static void set_camera(Scene *scene, const struct aiCamera *source, const struct aiMatrix4x4 *m)
 {
-    // Assimp 5.2 hands a glTF's yfov on times the aspect ratio, where the file has one, as mHorizontalFOV.
+    // Assimp 5.2 hands a glTF's yfov on times the aspect ratio, where the file has one, as mHorizontalFOV, and repeats its node's
+    // translation in mPosition: the node's origin is where the camera stands.
     const float aspect = source->mAspect > 0 ? source->mAspect : 1;
     const float fov = source->mHorizontalFOV / aspect;
-    const vec3 eye = point_by(m, source->mPosition), ahead = vec3_normalize(vector_by(m, source->mLookAt));
+    const vec3 eye = vec3_make(m->a4, m->b4, m->c4), ahead = vec3_normalize(vector_by(m, source->mLookAt));
     if (scene->camera.vertical_fov_rad > 0 || !(fov > 0 && fov < 3.14159f) || !vec3_is_finite(eye + ahead))
         return; // the first with a perspective counts
     scene->camera = (Camera){eye, eye + ahead, vec3_normalize(vector_by(m, source->mUp)), fov, 0, 0};
@@ -131,11 +128,11 @@ static void add_materials(Scene *scene, const struct aiScene *file)
         textured += aiGetMaterialTextureCount(source, aiTextureType_DIFFUSE) > 0;
     }
     if (textured > 0)
-        note("%s: textures are not read: %u materials keep their base colour's factor alone", scene->name,
+        note("%s: textures are not read; the base colour's factor alone counts (materials: %u)", scene->name,
              textured);
 }
 
-void scene_import(Scene *scene, const char *path)
+void scene_import(Scene *scene, const char *path, float crease_degrees)
 {
     struct stat status;
     const char *name = strrchr(path, '/') ? strrchr(path, '/') : path, *ending = strrchr(name, '.');
@@ -143,7 +140,8 @@ void scene_import(Scene *scene, const char *path)
         fail_work("%s: no such file", path);
     if (S_ISDIR(status.st_mode))
         fail_work("%s: a directory, not a model file", path);
-    if (!ending || !aiIsExtensionSupported(ending))
+    const bool oogl = ending && strcasecmp(ending, ".oogl") == 0;
+    if (!ending || !(oogl || aiIsExtensionSupported(ending)))
         fail_work("%s: a file of this ending cannot be read; .obj, .gltf, .glb, .ply, .off can", path);
     if (status.st_size == 0)
         fail_work("%s: broken: the file is empty", path);
@@ -151,12 +149,19 @@ void scene_import(Scene *scene, const char *path)
     // OBJ lists normals a corner, so creases can be kept; a glTF without normals is flat (its specification, 3.7.2.1), which validation does.
     const bool smooth = strcasecmp(ending, ".obj") == 0;
     struct aiPropertyStore *properties = aiCreatePropertyStore();
-    aiSetImportPropertyFloat(properties, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE_DEGREES);
-    const struct aiScene *file =
-        aiImportFileExWithProperties(path,
-                                     aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                                         aiProcess_SortByPType | (smooth ? aiProcess_GenSmoothNormals : 0),
-                                     NULL, properties);
+    aiSetImportPropertyFloat(properties, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, crease_degrees);
+    const unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
+                           (smooth ? aiProcess_GenSmoothNormals : 0);
+    const struct aiScene *file = NULL;
+    if (oogl) { // Geomview's name for what Assimp knows as OFF
+        size_t bytes = 0;
+        char *text = file_read(path, &bytes);
+        if (text)
+            file = aiImportFileFromMemoryWithProperties(text, (unsigned)bytes, steps, "off", properties);
+        free(text);
+    } else {
+        file = aiImportFileExWithProperties(path, steps, NULL, properties);
+    }
     aiReleasePropertyStore(properties);
     if (!file)
         fail_work("%s: broken: Assimp says: %s", path, aiGetErrorString());
@@ -164,11 +169,9 @@ void scene_import(Scene *scene, const char *path)
     if (file->mRootNode)
         add_node(scene, file, file->mRootNode, &(struct aiMatrix4x4){.a1 = 1, .b2 = 1, .c3 = 1, .d4 = 1});
     aiReleaseImport(file);
-}
-
-void scene_import_packaged(Scene *scene, const char *path, const char *package)
-{
-    if (access(path, R_OK) != 0)
-        fail_work("scene %s: %s is missing; install the Debian package %s", scene->name, path, package);
-    scene_import(scene, path);
+    vec3 lower, upper;
+    scene_bounds(&scene->mesh, &lower, &upper);
+    const vec3 ahead =
+        scene->camera.target - scene->camera.eye; // what it orbits lies as deep as the model's middle
+    scene->camera.target += fmaxf(vec3_dot(0.5f * (lower + upper) - scene->camera.eye, ahead) - 1, 0) * ahead;
 }

@@ -4,22 +4,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct
-    Vector { // double: the difference of two float32 coordinates and the area must not be rounded away
-    double v[3];
-} Vector;
+// The difference of two float32 coordinates and the area must not be rounded away.
+typedef double Double3 __attribute__((vector_size(32)));
 
-static Vector edge(const Mesh *mesh, uint32_t from, uint32_t to)
+static Double3 corner(const Mesh *mesh, uint32_t vertex)
 {
-    Vector e;
-    for (size_t axis = 0; axis < 3; axis++)
-        e.v[axis] = (double)mesh->positions[3 * to + axis] - (double)mesh->positions[3 * from + axis];
-    return e;
+    const float *p = mesh->positions + 3 * (size_t)vertex;
+    return (Double3){(double)p[0], (double)p[1], (double)p[2]};
 }
 
-static double length(Vector a)
+static double length(Double3 a)
 {
-    return hypot(hypot(a.v[0], a.v[1]), a.v[2]);
+    return hypot(hypot(a[0], a[1]), a[2]);
 }
 
 // A triangle has no area where |u × v| ≤ 2^-50 · longest edge²: that is what rounding in double can make of three points on one line (two
@@ -29,13 +25,13 @@ static const double ZERO_AREA = 0x1p-50;
 // The unit normal; false where the triangle has no area.
 static bool triangle_normal(const Mesh *mesh, const uint32_t *index, float normal[3])
 {
-    const Vector u = edge(mesh, index[0], index[1]), v = edge(mesh, index[0], index[2]);
-    const Vector cross = {{u.v[1] * v.v[2] - u.v[2] * v.v[1], u.v[2] * v.v[0] - u.v[0] * v.v[2],
-                           u.v[0] * v.v[1] - u.v[1] * v.v[0]}};
-    const double longest = fmax(fmax(length(u), length(v)), length(edge(mesh, index[1], index[2])));
+    const Double3 a = corner(mesh, index[0]), b = corner(mesh, index[1]), c = corner(mesh, index[2]);
+    const Double3 u = b - a, v = c - a;
+    const Double3 cross = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double longest = fmax(fmax(length(u), length(v)), length(c - b));
     const double area = length(cross);
     for (int axis = 0; axis < 3; axis++)
-        normal[axis] = (float)(area > 0 ? cross.v[axis] / area : 0);
+        normal[axis] = (float)(area > 0 ? cross[axis] / area : 0);
     return area > ZERO_AREA * longest * longest;
 }
 
@@ -86,11 +82,11 @@ static void repair_normals(Scene *scene)
     unsigned char *state = memory_new(given + 1, 1, "normals");
     for (size_t i = 0; i < given; i++) {
         float *n = mesh->normals + 3 * i;
-        const Vector normal = {{(double)n[0], (double)n[1], (double)n[2]}};
+        const Double3 normal = {(double)n[0], (double)n[1], (double)n[2]};
         const double size = length(normal);
         state[i] = size > 0 && isfinite(size) ? GOOD : BAD;
         for (int axis = 0; axis < 3; axis++) // BAD and in no triangle: up, so that all are unit
-            n[axis] = state[i] == GOOD ? (float)(normal.v[axis] / size) : axis == 1;
+            n[axis] = state[i] == GOOD ? (float)(normal[axis] / size) : axis == 1;
     }
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         float own[3];

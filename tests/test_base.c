@@ -83,6 +83,10 @@ static void ask_for_more_than_size_t(void)
 {
     memory_new(SIZE_MAX / 4, 16, "grid");
 }
+static void ask_for_what_wraps_to_little(void)
+{
+    memory_new(SIZE_MAX / 16 + 2, 16, "grid");
+}
 static void ask_for_more_than_the_machine(void)
 {
     memory_new((size_t)1 << 40, 64, "grid");
@@ -98,6 +102,10 @@ Test(base, memory_that_cannot_be_had_names_its_bytes)
     cr_assert_eq(overflow.status, 1, "%d", overflow.status);
     // (2⁶⁴ − 1) / 4 · 16, by hand: SIZE_MAX / 4 is 2⁶² − 1
     cr_assert(failure_says(&overflow, "grid: 73786976294838206448 bytes needed"), "%s", overflow.message);
+    // (2⁶⁰ + 1) · 16 is 16 in size_t: a product that is looked at after it has overflowed would be granted
+    Failure wrapped = failure_of(ask_for_what_wraps_to_little);
+    cr_assert_eq(wrapped.status, 1, "%d", wrapped.status);
+    cr_assert(failure_says(&wrapped, "grid: 18446744073709551632 bytes needed"), "%s", wrapped.message);
     Failure machine = failure_of(ask_for_more_than_the_machine);
     cr_assert_eq(machine.status, 1, "%d", machine.status);
     cr_assert(failure_says(&machine, "grid: 70368744177664 bytes needed"), "%s", machine.message); // 2⁴⁶

@@ -173,6 +173,12 @@ static void texture_beyond_memory(void)
     gl_texture(.label = "grid", .target = GL_TEXTURE_3D, .format = GL_RGBA32F, .width = 1 << 16,
                .height = 1 << 16, .depth = 1 << 16);
 }
+static void cube_beyond_memory(void)
+{
+    open_context();
+    gl_texture(.label = "sky", .target = GL_TEXTURE_CUBE_MAP, .format = GL_RGBA32F, .width = 1 << 20,
+               .height = 1 << 20);
+}
 static void texture_beyond_gl(void)
 {
     open_context();
@@ -237,6 +243,7 @@ FAILS(a_wrong_call_names_the_program_in_use, wrong_call, 1, "glDrawArrays", "con
 FAILS(a_wrong_format_names_the_texture, wrong_format, 1, "glTextureStorage2D", "texture 'radiance'")
 FAILS(a_texture_beyond_memory_names_its_bytes, texture_beyond_memory, 1, "texture 'grid'",
       "4503599627370496 bytes")
+FAILS(a_cube_beyond_memory_names_its_bytes, cube_beyond_memory, 1, "texture 'sky'", "105553116266496 bytes")
 FAILS(a_texture_beyond_gl_names_its_bytes, texture_beyond_gl, 1, "texture 'grid'", "4294967296 bytes")
 FAILS(a_buffer_beyond_memory_names_its_bytes, buffer_beyond_memory, 1, "buffer 'nodes'",
       "70368744177664 bytes")

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <time.h>
 
 static char folder[] = "/tmp/test_measure_XXXXXX";
@@ -206,6 +207,26 @@ Test(measure, figure_shows_every_curve_and_says_what_it_moved)
     for (int i = 0; i < 820 * 600; i++)
         white += image.pixels[i * image.channels + 1] > 0.99f;
     cr_assert(white > 820 * 600 / 2 && white < 820 * 600 * 99 / 100, "ink on paper: %ld white pixels", white);
+    clean();
+}
+
+Test(measure, figure_draws_the_points_that_none_beats)
+{
+    in_folder("gnuplot"); // keeps its script, then draws
+    FILE *gnuplot = fopen(path, "w");
+    cr_assert(gnuplot &&
+                  fprintf(gnuplot, "#!/bin/sh\nPATH=${PATH#*:}\ncp \"$1\" '%s/script'\nexec gnuplot \"$1\"\n",
+                          folder) > 0 &&
+                  fchmod(fileno(gnuplot), 0700) == 0 && fclose(gnuplot) == 0,
+              "a gnuplot of our own");
+    char *search = text_format("%s:%s", folder, getenv("PATH"));
+    setenv("PATH", search, 1);
+    in_folder("a.svg");
+    draw();
+    in_folder("script");
+    char *script = file_read(path, NULL);
+    // By time: (4, 0.06), (8, the floor 0.003); (10, 0.1) and (40, 0.03) are beaten by it, though 0.03 is less than the 0.1 before it.
+    cr_assert(script && strstr(script, "<< END_OF_FRONT\n4 0.06\n8 0.003\nEND_OF_FRONT\n"), "%s", script);
     clean();
 }
 

@@ -72,6 +72,17 @@ Test(shader, include_goes_in_once_at_any_depth, .init = open_all, .fini = close_
     shader_close(shader);
 }
 
+Test(shader, include_goes_into_each_stage, .init = open_all, .fini = close_all)
+{
+    write_shader("half.glsl", "float half_of(float x) { return 0.5 * x; }\n");
+    write_shader("a.vert", "#include \"half.glsl\"\nvoid main() { gl_Position = vec4(half_of(0.0)); }\n");
+    write_shader("a.frag",
+                 "#include \"half.glsl\"\nout float pixel;\nvoid main() { pixel = half_of(2.0); }\n");
+    Shader *shader = shader_open("each", NULL, "a.vert", "a.frag"); // ends the program where one lacks it
+    cr_assert_neq(shader_program(shader), 0, "linked");
+    shader_close(shader);
+}
+
 Test(shader, definitions_and_EVERYTHING, .init = open_all, .fini = close_all)
 {
     write_shader("a.comp", MAIN("result[0] = 100 * RESOLUTION + 10 * LIGHTS + EVERYTHING;"));

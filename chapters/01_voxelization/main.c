@@ -8,10 +8,12 @@
 #include "attributes.h"
 #include "judge.h"
 #include "methods.h"
-#include "run.h"
+#include "rows.h"
 #include "scenes.h"
+#include "shadow_volume.h"
 #include "walk.h"
 #include <stdlib.h>
+#include <string.h>
 
 static const char *const scenes[] = {"bunny", "cornell", "colonnade", NULL};
 
@@ -19,8 +21,9 @@ static const char *const scenes[] = {"bunny", "cornell", "colonnade", NULL};
 static const RunParameter parameters[] = {
     {.name = "method", .kind = RUN_CHOICE, .choices = "exact raster threepass slicing peeling msaa expanded binary solid", .shows = "how voxels are found"},
     {.name = "resolution", .kind = RUN_INTEGER, .least = 1, .most = 65536, .initial = {64}, .unit = "voxels", .shows = "voxels along the longest side"},
-    {.name = "show", .kind = RUN_CHOICE, .choices = "normals steps distance", .shows = "colour of a voxel: its face's normal, the planes that the ray crossed, the distance"},
+    {.name = "show", .kind = RUN_CHOICE, .choices = "shaded normals steps distance", .shows = "colour of a voxel: its face in the light, its normal, the planes that the ray crossed, the distance"},
     {.name = "storage", .kind = RUN_CHOICE, .choices = "occupancy attributes list average", .shows = "what the voxels of method exact hold besides their bit"},
+    {.name = "shadow", .kind = RUN_CHOICE, .choices = "none x y z -x -y -z", .shows = "step walk: instead of the voxels, those in their shadow when light shines along this axis"},
     {.name = "region_lower", .kind = RUN_VECTOR, .most = 1, .initial = {0, 0, 0}, .shows = "corner of the grid in the scene's box"},
     {.name = "region_upper", .kind = RUN_VECTOR, .most = 1, .initial = {1, 1, 1}, .shows = "opposite corner of the grid in the scene's box"},
     {.name = NULL},
@@ -35,65 +38,6 @@ static const RunStep steps[] = {
     {NULL, NULL},
 };
 
-#define SWEEP(method, resolution) {method, NULL, "method=" method " resolution=" #resolution, NULL},
-#define SWEEPS(method)                                                                                       \
-    SWEEP(method, 16)                                                                                        \
-    SWEEP(method, 32) SWEEP(method, 64) SWEEP(method, 128) SWEEP(method, 256) SWEEP(method, 512)
-// The same sphere in 10³, 10⁴, 10⁵, 10⁶ triangles.
-#define SPHERE(method, triangles) {method, "sphere_" #triangles, "method=" method " resolution=128", NULL},
-#define SPHERES(method)           SPHERE(method, 1e3) SPHERE(method, 1e4) SPHERE(method, 1e5) SPHERE(method, 1e6)
-#define EACH_METHOD(DO)                                                                                      \
-    DO("raster")                                                                                             \
-    DO("threepass")                                                                                          \
-    DO("slicing")                                                                                            \
-    DO("peeling") DO("msaa") DO("expanded") DO("binary") DO("exact") DO("soli"                               \
-                                                                        "d")
-// clang-format off
-static const RunRow sweep[] = {
-    EACH_METHOD(SWEEPS)
-    EACH_METHOD(SPHERES)
-    {NULL, NULL, NULL, NULL},
-};
-
-// The cases that are hard for other methods than exact: 10⁶ triangles in a voxel, an edge along a grid line, a grid of 3 × 500 × 7, one of 1³.
-#define HARD(method)                                                                                         \
-    {method " crowd", "crowd", "method=" method " resolution=16", NULL},                                     \
-    {method " edge", "edge", "method=" method " resolution=16", NULL},                                       \
-    {method " beam", "beam", "method=" method " resolution=500", NULL},                                      \
-    {method " one voxel", "cube", "method=" method " resolution=1", NULL},
-static const RunRow stability[] = {
-    {"cube 16", "cube", "method=exact resolution=16", NULL},
-    {"cube 32", "cube", "method=exact resolution=32", NULL},
-    {"cube in faces", "cube", "method=exact resolution=64", NULL},
-    {"faces", "faces", "method=exact resolution=16", NULL},
-    {"oblique", "oblique", "method=exact resolution=16", NULL},
-    {"oblique 256", "oblique", "method=exact resolution=256", NULL},
-    {"far", "far", "method=exact resolution=16", NULL},
-    {"small", "small", "method=exact resolution=16", NULL},
-    {"floor", "floor", "method=exact resolution=64", NULL},
-    {"one voxel", "cube", "method=exact resolution=1", NULL},
-    {"empty", "empty", "method=exact resolution=16", NULL},
-    {"vast", "vast", "method=exact resolution=32 region_lower=0.4999995,0.4999995,0.4999995 region_upper=0.5000005,0.5000005,0.5000005", NULL},
-    {"slivers", "slivers", "method=exact resolution=64", NULL},
-    {"huge", "huge", "method=exact resolution=64", NULL},
-    {"tiny", "tiny", "method=exact resolution=64", NULL},
-    {"degenerate", "degenerate", "method=exact resolution=64", NULL},
-    {"planar", "planar", "method=exact resolution=64", NULL},
-    {"one point", "point", "method=exact resolution=16", NULL},
-    {"smaller than a voxel", "speck", "method=exact resolution=16", NULL},
-    {"crowd", "crowd", "method=exact resolution=16", NULL},
-    {"edge", "edge", "method=exact resolution=16", NULL},
-    {"beam", "beam", "method=exact resolution=500", NULL},
-    HARD("raster") HARD("threepass") HARD("slicing") HARD("peeling") HARD("msaa") HARD("expanded") HARD("binary")
-    {"ball", "ball", "method=solid resolution=128", NULL},
-    {"ball inside out", "ball_inside_out", "method=solid resolution=128", NULL},
-    {"ball twice", "ball_twice", "method=solid resolution=128", NULL},
-    {"ball with holes", "ball_holes", "method=solid resolution=128", NULL},
-    {"balls that overlap", "balls", "method=solid resolution=128", NULL},
-    {NULL, NULL, NULL, NULL},
-};
-// clang-format on
-
 static const RunAbout about = {
     .chapter = "01_voxelization",
     .title = "Voxelization",
@@ -104,8 +48,8 @@ static const RunAbout about = {
     .own_scenes = voxel_scenes,
     .parameters = parameters,
     .steps = steps,
-    .sweep = sweep,
-    .stability = stability,
+    .sweep = voxel_sweep,
+    .stability = voxel_stability,
 };
 
 static const float AMBIENT = 0.3f;            // of the mesh's albedo, so that shadows are not black
@@ -113,10 +57,12 @@ static const int DEPTH_MAP_RESOLUTION = 1024; // texels a side
 // why passes are left out
 static const char *const SAME_VOXELS = "scene, grid and method are the last frame's";
 static const char *const SAME_VIEW = "eye, light and grid are the last frame's";
-static const char *const OTHER_METHOD = "this row measures the other method";
+static const char *const NOT_SHOWN = "its picture is not the one shown";
+static const char *const NOT_USED = "the picture or row uses the other method";
 static const char *const NO_INSIDE = "a surface has no inside";
 static const char *const CLOSED = "the mesh is closed: one axis decides";
-static const char *const OCCUPANCY = "occupancy alone is asked, or another storage";
+static const char *const OTHER_STORAGE = "occupancy alone is asked, or another storage";
+static const char *const NO_SHADOW = "the voxels themselves are shown";
 static const char *const EMPTY_LIST = "the list is empty";
 
 // What has not changed since the last frame is not built again.
@@ -143,19 +89,21 @@ enum {
     EXACT,
     EITHER,
     MISSED,
+    SHADOWED,
     VOXEL_SETS
-}; // bits of one grid; FOUND: by the chosen method, or by raster
+}; // bits of one grid; FOUND: by a method of methods.h
 
 // The two passes of a picture of voxels.
 static void show_voxels(Run *run, const Walker *walker, const Raster *raster, const WalkPicture *picture,
-                        bool new_voxels, bool new_eye, const char *blocks_pass, const char *walk_pass)
+                        bool shown, bool new_voxels, bool new_eye, const char *blocks_pass,
+                        const char *walk_pass)
 {
-    if (run_pass(run, blocks_pass, new_voxels, SAME_VOXELS)) {
+    if (run_pass(run, blocks_pass, shown && new_voxels, shown ? SAME_VOXELS : NOT_SHOWN)) {
         blocks_find(walker, picture->voxels, picture->blocks);
         run_skipped(run, (double)blocks_empty(&picture->voxels->grid, picture->blocks),
                     (double)blocks_count(&picture->voxels->grid));
     }
-    if (run_pass(run, walk_pass, new_voxels || new_eye, SAME_VIEW))
+    if (run_pass(run, walk_pass, shown && (new_voxels || new_eye), shown ? SAME_VIEW : NOT_SHOWN))
         run_count(run, "fetches", walk_draw(walker, raster, picture));
 }
 
@@ -167,6 +115,7 @@ int main(int argc, char **argv)
     Surfaces surfaces = surfaces_open();
     Solids solids = solids_open();
     Attributer attributer = attributer_open();
+    ShadowScan shadow_scan = shadow_scan_open();
     Walker walker = walker_open();
     while (run_setting(run)) {
         const Scene *scene = run_scene(run);
@@ -174,9 +123,12 @@ int main(int argc, char **argv)
         const bool exact = run_chosen(run, "method", "exact"), pictures = run_picture_needed(run);
         const bool filled = run_chosen(run, "method", "solid"), fill = filled || run_everything(run);
         const char *const method = exact || filled ? "raster" : run_choice(run, "method");
-        const WalkShow show = run_chosen(run, "show", "normals") ? WALK_NORMALS
-                              : run_chosen(run, "show", "steps") ? WALK_STEPS
-                                                                 : WALK_DISTANCE;
+        const bool shadowed = !run_chosen(run, "shadow", "none");
+        const char *const storage = run_choice(run, "storage");
+        const WalkShow show = run_chosen(run, "show", "shaded")    ? WALK_SHADED
+                              : run_chosen(run, "show", "normals") ? WALK_NORMALS
+                              : run_chosen(run, "show", "steps")   ? WALK_STEPS
+                                                                   : WALK_DISTANCE;
         VoxelGrid grid = voxelize_grid(scene, run_vector(run, "region_lower"),
                                        run_vector(run, "region_upper"), run_integer(run, "resolution"));
         Voxels voxels[VOXEL_SETS];
@@ -214,14 +166,22 @@ int main(int argc, char **argv)
             last_eye = hash_camera(camera);
             last_lights = hash_lights(scene);
 
+            // One picture is shown: what only another one needs is left out.
+            const bool show_mesh = pictures && run_step_shown(run, "mesh");
+            const bool show_holes = pictures && run_step_shown(run, "holes");
+            const bool show_exact = pictures && run_step_shown(run, "exact");
+            const bool show_walk = pictures && run_step_shown(run, "walk"),
+                       find_chosen = show_walk || !pictures;
+
             //[mesh
-            if (run_pass_common(run, "depth maps", pictures && new_lights && lit,
-                                lit ? SAME_VIEW : "the scene has no light"))
+            const char *no_mesh = !show_mesh ? NOT_SHOWN : SAME_VIEW;
+            if (run_pass_common(run, "depth maps", show_mesh && new_lights && lit,
+                                lit ? no_mesh : "the scene has no light"))
                 for (size_t i = 0; i < scene->light_count; i++)
                     raster_depth_map_draw(raster, &maps[i], &scene->lights[i], &mesh);
-            if (run_pass_common(run, "G-buffer", pictures && new_eye, SAME_VIEW))
+            if (run_pass_common(run, "G-buffer", show_mesh && new_eye, no_mesh))
                 raster_gbuffer_draw(raster, &gbuffer, &camera, &mesh);
-            if (run_pass_common(run, "light and lines", pictures && (new_eye || new_lights), SAME_VIEW)) {
+            if (run_pass_common(run, "light and lines", show_mesh && (new_eye || new_lights), no_mesh)) {
                 raster_light_begin(raster, &gbuffer, texture[MESH], AMBIENT);
                 for (size_t i = 0; i < scene->light_count; i++)
                     raster_light_add(raster, &gbuffer, &camera, &scene->lights[i], &maps[i], texture[MESH]);
@@ -231,15 +191,15 @@ int main(int argc, char **argv)
             //]
 
             //[voxelize
-            if (run_pass(run, method, new_voxels && (pictures || (!exact && !filled)),
-                         new_voxels ? OTHER_METHOD : SAME_VOXELS)) {
+            const char *why_not = new_voxels ? NOT_USED : SAME_VOXELS;
+            const bool other = show_holes || (find_chosen && !exact && !filled);
+            if (run_pass(run, method, new_voxels && other, why_not)) {
                 MethodWork work =
                     method_find(method, &voxelizer, &surfaces, &mesh, run_everything(run), &voxels[FOUND]);
                 if (work.of > 0)
                     run_skipped(run, work.skipped, work.of);
             }
-            const bool find = new_voxels && (pictures || exact);
-            const char *why_not = new_voxels ? OTHER_METHOD : SAME_VOXELS;
+            const bool find = new_voxels && (show_holes || show_exact || (find_chosen && exact));
             if (run_pass(run, "exact: sort", find, why_not)) {
                 voxels_clear(&voxels[EXACT]);
                 voxelize_sort(&voxelizer, &mesh, &grid, &lists);
@@ -253,84 +213,86 @@ int main(int argc, char **argv)
             //]
 
             //[storage
-            const bool store = find && !run_chosen(run, "storage", "occupancy");
+            const bool store = new_voxels && find_chosen && exact && strcmp(storage, "occupancy") != 0;
+            const char *no_store = new_voxels && find_chosen && exact ? OTHER_STORAGE : why_not;
             const Fragments from = {&voxelizer, &mesh, &lists};
             Attributes stored = {0};
-            if (run_pass(run, "storage: rank", store, find ? OCCUPANCY : why_not))
+            if (run_pass(run, "storage: rank", store, no_store))
                 stored = attributes_rank(&attributer, &voxels[EXACT]);
-            if (run_pass(run, "storage: sums", store && run_chosen(run, "storage", "attributes"),
-                         find ? OCCUPANCY : why_not))
+            if (run_pass(run, "storage: sums", store && strcmp(storage, "attributes") == 0, no_store))
                 attributes_sum(&attributer, &from, &stored);
-            if (run_pass(run, "storage: list", store && run_chosen(run, "storage", "list"),
-                         find ? OCCUPANCY : why_not)) {
+            if (run_pass(run, "storage: list", store && strcmp(storage, "list") == 0, no_store)) {
                 run_count(run, "listed", (double)fragment_list_count(&attributer, &from, &stored));
                 fragment_list_fill(&attributer, &from, &stored);
                 run_count(run, "bytes", (double)attributes_bytes(&stored));
             }
-            if (run_pass(run, "storage: average", store && run_chosen(run, "storage", "average"),
-                         find ? OCCUPANCY : why_not))
+            if (run_pass(run, "storage: average", store && strcmp(storage, "average") == 0, no_store))
                 attributes_average(&attributer, &from, &stored);
             attributes_delete(&stored);
             //]
 
             //[solid
             static const char *const parities[] = {"solid: along x", "solid: along y", "solid: along z"};
+            const bool fill_now = filled && find_chosen && new_voxels;
+            const char *no_fill = !filled      ? NO_INSIDE
+                                  : fill_now   ? CLOSED
+                                  : new_voxels ? NOT_SHOWN
+                                               : SAME_VOXELS;
             for (int axis = 2; axis >= 0; axis--)
-                if (run_pass(run, parities[axis], filled && new_voxels && (axis == 2 || !solid.closed),
-                             !filled      ? NO_INSIDE
-                             : new_voxels ? CLOSED
-                                          : SAME_VOXELS)) {
+                if (run_pass(run, parities[axis], fill_now && (axis == 2 || !solid.closed), no_fill)) {
                     solid_flip(&solids, &solid, &inside, axis);
                     solid_scan(&solids, &inside, axis);
                 }
-            if (run_pass(run, "solid: vote", filled && new_voxels && !solid.closed,
-                         !filled      ? NO_INSIDE
-                         : new_voxels ? CLOSED
-                                      : SAME_VOXELS))
+            if (run_pass(run, "solid: vote", fill_now && !solid.closed, no_fill))
                 solid_vote(&solids, &solid, &inside);
             //]
 
             WalkPicture picture = {.show = show, .camera = &camera, .width = width, .height = height};
-            if (pictures) {
-                if (run_pass(run, "holes: compare", new_voxels, SAME_VOXELS))
-                    voxels_compare(&voxelizer, &voxels[FOUND], &voxels[EXACT], &voxels[EITHER],
-                                   &voxels[MISSED]);
-                picture.voxels = &voxels[EITHER];
-                picture.marked = &voxels[MISSED];
-                picture.lines = true;
-                picture.blocks = blocks[HOLES];
-                picture.framebuffer = framebuffer[HOLES];
-                show_voxels(run, &walker, raster, &picture, new_voxels, new_eye, "holes: blocks",
-                            "holes: walk");
-            }
+            if (run_pass(run, "holes: compare", show_holes && new_voxels,
+                         show_holes ? SAME_VOXELS : NOT_SHOWN))
+                voxels_compare(&voxelizer, &voxels[FOUND], &voxels[EXACT], &voxels[EITHER], &voxels[MISSED]);
+            picture.voxels = &voxels[EITHER];
+            picture.marked = &voxels[MISSED];
+            picture.lines = true;
+            picture.blocks = blocks[HOLES];
+            picture.framebuffer = framebuffer[HOLES];
+            show_voxels(run, &walker, raster, &picture, show_holes, new_voxels, new_eye, "holes: blocks",
+                        "holes: walk");
             run_step(run, "holes", texture[HOLES]);
 
-            if (pictures) {
-                picture.voxels = &voxels[EXACT];
-                picture.marked = NULL;
-                picture.blocks = blocks[WHOLE];
-                picture.framebuffer = framebuffer[WHOLE];
-                show_voxels(run, &walker, raster, &picture, new_voxels, new_eye, "exact: blocks",
-                            "exact: walk");
-            }
+            picture.voxels = &voxels[EXACT];
+            picture.marked = NULL;
+            picture.blocks = blocks[WHOLE];
+            picture.framebuffer = framebuffer[WHOLE];
+            show_voxels(run, &walker, raster, &picture, show_exact, new_voxels, new_eye, "exact: blocks",
+                        "exact: walk");
             run_step(run, "exact", texture[WHOLE]);
 
             //[walk
-            if (pictures) {
-                picture.voxels = chosen;
-                picture.lines = false;
-                picture.blocks = blocks[WALK];
-                picture.framebuffer = framebuffer[WALK];
-                show_voxels(run, &walker, raster, &picture, new_voxels, new_eye, "walk: blocks", "walk");
+            if (run_pass(run, "walk: shadow", shadowed && show_walk && new_voxels,
+                         !shadowed   ? NO_SHADOW
+                         : show_walk ? SAME_VOXELS
+                                     : NOT_SHOWN)) {
+                const char *axis = shadowed ? run_choice(run, "shadow") : "x";
+                const bool against = axis[0] == '-';
+                shadow_volume_find(&shadow_scan, chosen, axis[against] - 'x', against, &voxels[SHADOWED]);
+            }
+            picture.voxels = shadowed ? &voxels[SHADOWED] : chosen;
+            picture.lines = false;
+            picture.blocks = blocks[WALK];
+            picture.framebuffer = framebuffer[WALK];
+            show_voxels(run, &walker, raster, &picture, show_walk, new_voxels, new_eye, "walk: blocks",
+                        "walk");
+            if (show_walk) {
                 run_count(run, "grid_bytes", (double)voxels[EXACT].bytes);
                 run_count(run, "peak_bytes", (double)measure_peak_bytes());
             }
             run_step(run, "walk", texture[WALK]);
             //]
 
-            if (run_truth_wanted(run) && filled)
+            if (run_truth_wanted(run) && (filled || shadowed))
                 fail_request(
-                    "--truth: of the methods, solid has no picture of its truth; ask for a surface's");
+                    "--truth: solids and shadows have no picture of their truth; ask for a surface's");
             if (run_truth_wanted(run)) {
                 uint32_t *bits = truth_voxels(&scene->mesh, &grid);
                 Image truth = walk_truth(bits, &grid, show, &camera, width, height);
@@ -378,6 +340,7 @@ int main(int argc, char **argv)
             voxels_delete(&voxels[i]);
     }
     walker_close(&walker);
+    shadow_scan_close(&shadow_scan);
     attributer_close(&attributer);
     solids_close(&solids);
     surfaces_close(&surfaces);

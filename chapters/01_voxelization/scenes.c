@@ -111,10 +111,6 @@ const SceneKind voxel_scenes[] = {
     {"ball_twice", "the ball, each triangle twice", make_ball_twice},
     {"ball_holes", "the ball with holes: one triangle of 96 is missing", make_ball_holes},
     {"balls", "two balls of 5 m that overlap", make_balls},
-    {"sphere_1e3", "a sphere of about a thousand triangles", scenes_make_sphere_1e3},
-    {"sphere_1e4", "a sphere of about ten thousand triangles", scenes_make_sphere_1e4},
-    {"sphere_1e5", "a sphere of about a hundred thousand triangles", scenes_make_sphere_1e5},
-    {"sphere_1e6", "a sphere of about a million triangles", scenes_make_sphere_1e6},
     {NULL, NULL, NULL},
 };
 

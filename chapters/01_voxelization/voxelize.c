@@ -12,21 +12,16 @@ static const float SMALL_SIDE = 8.0f;
 
 VoxelGrid voxelize_grid(const Scene *scene, vec3 from, vec3 to, int resolution)
 {
-    bool whole = true;
-    float corners[6];
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         if (!(from[k] < to[k]))
             fail_request("--set region_lower, region_upper: the lower corner must be below the upper one on "
                          "each axis");
-        whole = whole && from[k] == 0.0f && to[k] == 1.0f;
-        corners[k] = scene->lower[k] + from[k] * (scene->upper[k] - scene->lower[k]);
-        corners[3 + k] = scene->lower[k] + to[k] * (scene->upper[k] - scene->lower[k]);
+    Scene part = *scene; // the same scene in a smaller box
+    const vec3 size = scene->upper - scene->lower;
+    for (int k = 0; k < 3; k++) { // 0 and 1 are the corners themselves, whatever rounding would make of them
+        part.lower[k] = from[k] > 0.0f ? scene->lower[k] + from[k] * size[k] : scene->lower[k];
+        part.upper[k] = to[k] < 1.0f ? scene->lower[k] + to[k] * size[k] : scene->upper[k];
     }
-    if (whole)
-        return scene_grid(scene, resolution);
-    // that of a scene whose one triangle runs from corner to corner
-    uint32_t indices[3] = {0, 1, 1};
-    Scene part = {.mesh = {.vertex_count = 2, .triangle_count = 1, .positions = corners, .indices = indices}};
     return scene_grid(&part, resolution);
 }
 

@@ -91,7 +91,7 @@ double walk_draw(const Walker *walker, const Raster *raster, const WalkPicture *
     voxelize_set_grid(walker->walk, grid);
     raster_set_camera(walker->walk, picture->camera, (float)picture->width / (float)picture->height);
     shader_set_vec3(walker->walk, "eye_in_grid", (const float *)&eye);
-    shader_set_int(walker->walk, "show", picture->show);
+    shader_set_int(walker->walk, "show", (int)picture->show);
     shader_set_int(walker->walk, "mark", picture->marked != NULL);
     shader_set_int(walker->walk, "lines", picture->lines);
     shader_set_float(walker->walk, "line_width", 0.5f * pixel_angle_rad(picture->camera, picture->height));
@@ -198,7 +198,11 @@ Image walk_truth(const uint32_t *bits, const VoxelGrid *grid, WalkShow show, con
             } else if (found) {
                 float near = exp2f(-1.5f * hit.distance / sides);
                 vec3 half_normal = vec3_make(0.5f, 0.5f, 0.5f) + 0.5f * hit.normal;
-                color = show == WALK_NORMALS ? near * half_normal * half_normal : vec3_make(near, near, near);
+                const vec3 stone = vec3_make(0.95f, 0.90f, 0.82f),
+                           sun = vec3_make(0.30f, 0.80f, 0.52f); // of walk.frag
+                color = show == WALK_SHADED    ? near * (0.35f + 0.65f * vec3_dot(hit.normal, sun)) * stone
+                        : show == WALK_NORMALS ? near * half_normal * half_normal
+                                               : vec3_make(near, near, near);
             }
             for (int k = 0; k < 3; k++)
                 image.pixels[((size_t)y * (size_t)width + (size_t)x) * 3 + (size_t)k] = color[k];

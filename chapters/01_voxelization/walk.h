@@ -7,7 +7,7 @@
 #include "truth.h"
 #include "voxelize.h"
 
-typedef enum WalkShow { WALK_NORMALS, WALK_STEPS, WALK_DISTANCE } WalkShow;
+typedef enum WalkShow { WALK_SHADED, WALK_NORMALS, WALK_STEPS, WALK_DISTANCE } WalkShow;
 
 typedef struct Walker {
     Shader *blocks, *walk, *grid_lines;

@@ -66,13 +66,14 @@ GridHit grid_walk(vec3 origin, vec3 direction)
             block = voxel >> BLOCK_SHIFT;
             hit.fetches++;
             if (!grid_block_set(voxel)) {
-                vec3 t = (vec3(block + forward << BLOCK_SHIFT) - origin) * inverse;
+                ivec3 plane = min(block + forward << BLOCK_SHIFT, grid_size);
+                vec3 t = (vec3(plane) - origin) * inverse;
                 hit.face = nearest_axis(t);
                 hit.distance = min(t.x, min(t.y, t.z));
                 // Begin too far back; of the planes on the way, cross those that single steps cross before the block's.
                 ivec3 back = ivec3(floor(origin + direction * hit.distance)) - step;
                 voxel = mix(min(back, voxel), max(back, voxel), equal(forward, ivec3(1)));
-                voxel = mix(voxel, (block + forward << BLOCK_SHIFT) - forward, hit.face);
+                voxel = mix(voxel, plane - forward, hit.face);
                 bvec3 tie_first = bvec3(!hit.face.x, hit.face.z, false);
                 for (bvec3 crossed = bvec3(true); any(crossed);) {
                     t = (vec3(voxel + forward) - origin) * inverse;

@@ -20,14 +20,13 @@ unset MAKEFLAGS MFLAGS BUILD
 # suite/test of a diff's first line; nothing where that does not name one.
 named_by() { sed -n '1s/^# must fail: *\([^ /]*\/[^ ]*\) *$/\1/p' "$1"; }
 
-# What to make for a test: its program alone; all chapters' programs too where it runs them. A test made by a macro is found by the words alone.
+# What to make for a test: its program; all chapters' programs too where it runs them. A macro may make a test: its suite then says the file.
 targets_of()
 {
     suite=${1%%/*} test=${1#*/}
-    file=$(grep -lE "^(Parameterized)?Test\($suite, *$test[,)]" tests/test_*.c tests/slow_*.c 2>/dev/null | head -n 1)
-    [ -n "$file" ] || for file in tests/test_*.c tests/slow_*.c; do
-        if grep -qsw "$suite" "$file" && grep -qsw "$test" "$file"; then break; fi
-        file=
+    for form in "^(Parameterized)?Test\(${suite}, *${test}[,)]" "Test\(${suite}, *[a-z0-9_#]*[,)]"; do
+        file=$(grep -lE "$form" tests/test_*.c tests/slow_*.c 2>/dev/null | head -n 1)
+        [ -z "$file" ] || break
     done
     [ -n "$file" ] || file=tests/test_$suite.c
     echo "build/only/$(basename "$file" .c)"

@@ -1,0 +1,112 @@
+// 01 voxelization: the program as a user runs it: what a frame builds again, which pictures are made, the stability table.
+#include "base.h"
+
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+// What the program's plan says of its last frame, run as a user runs it.
+static char *plan_of(const char *arguments)
+{
+    const char *build = getenv("BUILD");
+    char *out = text_format("/tmp/walk-%d", (int)getpid());
+    char *command =
+        text_format("%s/01_voxelization --out %s.png --size 32x32 --set resolution=16 --plan %s >%s 2>&1",
+                    build ? build : "build", out, arguments, out);
+    int status = system(command);
+    char *plan = file_read(out, NULL), *picture = text_format("%s.png", out);
+    cr_assert_eq(status, 0, "%s: %s", command, plan);
+    unlink(out);
+    unlink(picture);
+    free(command);
+    free(out);
+    free(picture);
+    return plan;
+}
+static bool ran(const char *plan, const char *pass)
+{
+    const char *line = plan;
+    size_t length = strlen(pass);
+    while (line && !(strncmp(line, pass, length) == 0 && strncmp(line + length, "  ", 2) == 0))
+        line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL;
+    cr_assert(line != NULL, "no pass '%s' in\n%s", pass, plan);
+    char word[8] = "";
+    sscanf(line + length, "%7s", word);
+    return strcmp(word, "yes") == 0;
+}
+Test(program, what_has_not_changed_is_not_built_again)
+{
+    const struct {
+        const char *frames;
+        bool map, gbuffer, voxels, walk;
+    } cases[] = {
+        {"--frames 1", true, true, true, true},
+        {"--frames 2", false, false, false, false},
+        {"--frames 2 --path orbit", false, true, false, true},
+        {"--frames 2 --path light", true, false, false, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *how = cases[i].frames;
+        char *mesh_step = text_format("--step mesh %s", how), *plan = plan_of(mesh_step);
+        cr_assert_eq(ran(plan, "depth maps"), cases[i].map, "%s: depth maps", how);
+        cr_assert_eq(ran(plan, "G-buffer"), cases[i].gbuffer, "%s: G-buffer", how);
+        cr_assert_eq(ran(plan, "light and lines"), cases[i].map || cases[i].gbuffer, "%s: light and lines",
+                     how);
+        free(plan);
+        free(mesh_step);
+        plan = plan_of(how);
+        const char *voxels[] = {"exact: sort", "exact: small", "walk: blocks"};
+        for (int k = 0; k < 3; k++)
+            cr_assert_eq(ran(plan, voxels[k]), cases[i].voxels, "%s: %s", how, voxels[k]);
+        cr_assert_eq(ran(plan, "walk"), cases[i].walk, "%s: walk", how);
+        free(plan);
+    }
+}
+
+// What only another picture needs is left out; --everything makes it all the same.
+Test(program, only_the_picture_that_is_shown_is_made)
+{
+    const char *passes[] = {"depth maps",  "G-buffer",    "raster", "exact: sort",
+                            "holes: walk", "exact: walk", "walk"};
+    const struct {
+        const char *arguments;
+        bool runs[7];
+    } cases[] = {
+        {"--step holes", {false, false, true, true, true}},
+        {"--step exact", {false, false, false, true, false, true}},
+        {"--step walk", {false, false, false, true, false, false, true}},
+        {"--step walk --set method=raster", {false, false, true, false, false, false, true}},
+        {"--step walk --everything", {true, true, true, true, true, true, true}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *plan = plan_of(cases[i].arguments);
+        for (int k = 0; k < 7; k++) {
+            char *line = text_format("\n%s  ", passes[k]);
+            if (cases[i].runs[k] || strstr(plan, line)) // what comes after the step is not in the plan
+                cr_assert_eq(ran(plan, passes[k]), cases[i].runs[k], "%s: %s", cases[i].arguments, passes[k]);
+            free(line);
+        }
+        free(plan);
+    }
+}
+
+Test(program, the_stability_table_passes)
+{
+    const char *build = getenv("BUILD");
+    char *path = text_format("/tmp/walk-%d.csv", (int)getpid());
+    char *command =
+        text_format("%s/01_voxelization --stability %s 2>/dev/null", build ? build : "build", path);
+    cr_assert_eq(system(command), 0, "%s fails", command);
+    char *table = file_read(path, NULL);
+    int passed = 0, failed = 0;
+    for (const char *line = table; (line = strchr(line, '\n')) != NULL; line++) {
+        passed += line - table > 5 && strncmp(line - 5, ",pass", 5) == 0;
+        failed += line - table > 5 && strncmp(line - 5, ",fail", 5) == 0;
+    }
+    cr_assert(failed == 0 && passed == 51, "%d checks pass, %d fail", passed, failed); // 17 cases, 3 each
+    unlink(path);
+    free(path);
+    free(command);
+    free(table);
+}
