@@ -16,6 +16,7 @@ for part in obj libcommon.a libtechniques.a flags members mesa-cache; do
     if [ -e "build/$part" ]; then cp -a "build/$part" "$whole/build/"; fi
 done
 unset MAKEFLAGS MFLAGS BUILD
+unset WERROR # a mistake may well leave a variable unused: it is the test that must see it
 
 # suite/test of a diff's first line; nothing where that does not name one.
 named_by() { sed -n '1s/^# must fail: *\([^ /]*\/[^ ]*\) *$/\1/p' "$1"; }
