@@ -75,6 +75,7 @@
     X(GetTextureSubImage, GETTEXTURESUBIMAGE) \
     X(GetUniformLocation, GETUNIFORMLOCATION) \
     X(LinkProgram, LINKPROGRAM) \
+    X(LogicOp, LOGICOP) \
     X(MemoryBarrier, MEMORYBARRIER) \
     X(NamedBufferStorage, NAMEDBUFFERSTORAGE) \
     X(NamedBufferSubData, NAMEDBUFFERSUBDATA) \

@@ -1,15 +1,20 @@
-// judge: what the chapter's voxels and pictures are judged by: the truth's voxels, and its picture of them.
+// judge: what the chapter's voxels and pictures are judged by: a surface's voxels by the truth's, a solid's volume by the mesh's own, the picture by rays.
 #ifndef JUDGE_H
 #define JUDGE_H
 
 #include "run.h"
+#include "solid.h"
 #include "walk.h"
 
-// The error rows of a sweep, or the checks of a stability case.
-//   missing, extra   voxels a true voxel
+// The error rows of a sweep, or the checks of a stability case (while run_measuring_error or run_checking). Fragments and invocations of one run of the
+// method are a sweep's; a stability case needs none.
+//   missing, extra   voxels a true voxel; wrong: both
 //   extra_gap        voxels: how far the farthest extra voxel lies from every triangle; 0 where there is none
 //   rounding_bound   voxels: the proven bound on the truth's own rounding, within which an extra voxel would prove nothing
-void judge(Run *run, const Mesh *mesh, const Voxels *voxels);
+//   volume           of a solid: |voxels' volume / the mesh's own − 1|
+void judge_surface(Run *run, const Mesh *mesh, const Voxels *voxels, double fragments, double invocations);
+void judge_solid(Run *run, const SolidMesh *solid, const Voxels *voxels, double fragments,
+                 double invocations);
 
 // walk_truth of the true voxels, kept under out/truth: the same view again costs reading a file.
 Image judge_truth(const Scene *scene, const VoxelGrid *grid, WalkShow show, const Camera *camera, int width,

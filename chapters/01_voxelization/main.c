@@ -5,18 +5,25 @@
 // Why so: a technique that stores light or shadow in voxels leaks through every hole, and pays for every voxel too many.
 // Source: Gomes, "Real-time indirect illumination and volumetric shadows" (2015), sections 2.1 and 4.2.1, whose conservative listings (4.2 to
 // 4.5) miss voxels; so the exact method follows Schwarz and Seidel (2010) instead. The walk: Amanatides and Woo (1987).
+#include "attributes.h"
 #include "judge.h"
+#include "methods.h"
+#include "rows.h"
 #include "scenes.h"
+#include "shadow_volume.h"
 #include "walk.h"
 #include <stdlib.h>
+#include <string.h>
 
 static const char *const scenes[] = {"bunny", "cornell", "colonnade", NULL};
 
 // clang-format off
 static const RunParameter parameters[] = {
-    {.name = "method", .kind = RUN_CHOICE, .choices = "exact raster", .shows = "how voxels are found"},
+    {.name = "method", .kind = RUN_CHOICE, .choices = "exact raster threepass slicing peeling msaa expanded binary solid", .shows = "how voxels are found"},
     {.name = "resolution", .kind = RUN_INTEGER, .least = 1, .most = 65536, .initial = {64}, .unit = "voxels", .shows = "voxels along the longest side"},
     {.name = "show", .kind = RUN_CHOICE, .choices = "shaded normals steps distance", .shows = "colour of a voxel: its face in the light, its normal, the planes that the ray crossed, the distance"},
+    {.name = "storage", .kind = RUN_CHOICE, .choices = "occupancy attributes list average", .shows = "what the voxels of method exact hold besides their bit"},
+    {.name = "shadow", .kind = RUN_CHOICE, .choices = "none x y z -x -y -z", .shows = "step walk: instead of the voxels, those in their shadow when light shines along this axis"},
     {.name = "region_lower", .kind = RUN_VECTOR, .most = 1, .initial = {0, 0, 0}, .shows = "corner of the grid in the scene's box"},
     {.name = "region_upper", .kind = RUN_VECTOR, .most = 1, .initial = {1, 1, 1}, .shows = "opposite corner of the grid in the scene's box"},
     {.name = NULL},
@@ -25,43 +32,10 @@ static const RunParameter parameters[] = {
 
 static const RunStep steps[] = {
     {"mesh", "the mesh, lit, with the grid's lines"},
-    {"holes", "what rasterizing pixel centres finds; red: what it misses"},
+    {"holes", "what rasterizing pixel centres (or another chosen method) finds; red: what it misses"},
     {"exact", "every voxel that the surface touches"},
     {"walk", "the chosen method's voxels along each pixel's ray"},
     {NULL, NULL},
-};
-
-#define SWEEP(method, resolution)                                                                            \
-    {                                                                                                        \
-        method, NULL, "method=" method " resolution=" #resolution, NULL                                      \
-    }
-static const RunRow sweep[] = {
-    SWEEP("raster", 16),  SWEEP("raster", 32), SWEEP("raster", 64),      SWEEP("raster", 128),
-    SWEEP("raster", 256), SWEEP("exact", 16),  SWEEP("exact", 32),       SWEEP("exact", 64),
-    SWEEP("exact", 128),  SWEEP("exact", 256), {NULL, NULL, NULL, NULL},
-};
-
-static const RunRow stability[] = {
-    {"cube 16", "cube", "resolution=16", NULL},
-    {"cube 32", "cube", "resolution=32", NULL},
-    {"cube in faces", "cube", "resolution=64", NULL},
-    {"faces", "faces", "resolution=16", NULL},
-    {"oblique", "oblique", "resolution=16", NULL},
-    {"oblique 256", "oblique", "resolution=256", NULL},
-    {"far", "far", "resolution=16", NULL},
-    {"small", "small", "resolution=16", NULL},
-    {"floor", "floor", "resolution=64", NULL},
-    {"one voxel", "cube", "resolution=1", NULL},
-    {"empty", "empty", "resolution=16", NULL},
-    {"vast", "vast",
-     "resolution=32 region_lower=0.4999995,0.4999995,0.4999995 region_upper=0.5000005,0.5000005,0.5000005",
-     NULL},
-    {"slivers", "slivers", "resolution=64", NULL},
-    {"huge", "huge", "resolution=64", NULL},
-    {"tiny", "tiny", "resolution=64", NULL},
-    {"degenerate", "degenerate", "resolution=64", NULL},
-    {"planar", "planar", "resolution=64", NULL},
-    {NULL, NULL, NULL, NULL},
 };
 
 static const RunAbout about = {
@@ -74,8 +48,8 @@ static const RunAbout about = {
     .own_scenes = voxel_scenes,
     .parameters = parameters,
     .steps = steps,
-    .sweep = sweep,
-    .stability = stability,
+    .sweep = voxel_sweep,
+    .stability = voxel_stability,
 };
 
 static const float AMBIENT = 0.3f;            // of the mesh's albedo, so that shadows are not black
@@ -85,6 +59,10 @@ static const char *const SAME_VOXELS = "scene, grid and method are the last fram
 static const char *const SAME_VIEW = "eye, light and grid are the last frame's";
 static const char *const NOT_SHOWN = "its picture is not the one shown";
 static const char *const NOT_USED = "the picture or row uses the other method";
+static const char *const NO_INSIDE = "a surface has no inside";
+static const char *const CLOSED = "the mesh is closed: one axis decides";
+static const char *const OTHER_STORAGE = "occupancy alone is asked, or another storage";
+static const char *const NO_SHADOW = "the voxels themselves are shown";
 static const char *const EMPTY_LIST = "the list is empty";
 
 // What has not changed since the last frame is not built again.
@@ -105,8 +83,15 @@ static uint64_t hash_lights(const Scene *scene)
     return hash;
 }
 
-enum { MESH, HOLES, WHOLE, WALK, PICTURES };        // pictures, in the order of `steps`
-enum { RASTER, EXACT, EITHER, MISSED, VOXEL_SETS }; // bits of one grid
+enum { MESH, HOLES, WHOLE, WALK, PICTURES }; // pictures, in the order of `steps`
+enum {
+    FOUND,
+    EXACT,
+    EITHER,
+    MISSED,
+    SHADOWED,
+    VOXEL_SETS
+}; // bits of one grid; FOUND: by a method of methods.h
 
 // The two passes of a picture of voxels.
 static void show_voxels(Run *run, const Walker *walker, const Raster *raster, const WalkPicture *picture,
@@ -127,11 +112,19 @@ int main(int argc, char **argv)
     Run *run = run_open(&about, argc, argv);
     Raster *raster = raster_open();
     Voxelizer voxelizer = voxelizer_open();
+    Surfaces surfaces = surfaces_open();
+    Solids solids = solids_open();
+    Attributer attributer = attributer_open();
+    ShadowScan shadow_scan = shadow_scan_open();
     Walker walker = walker_open();
     while (run_setting(run)) {
         const Scene *scene = run_scene(run);
         const int width = run_width(run), height = run_height(run);
         const bool exact = run_chosen(run, "method", "exact"), pictures = run_picture_needed(run);
+        const bool filled = run_chosen(run, "method", "solid"), fill = filled || run_everything(run);
+        const char *const method = exact || filled ? "raster" : run_choice(run, "method");
+        const bool shadowed = !run_chosen(run, "shadow", "none");
+        const char *const storage = run_choice(run, "storage");
         const WalkShow show = run_chosen(run, "show", "shaded")    ? WALK_SHADED
                               : run_chosen(run, "show", "normals") ? WALK_NORMALS
                               : run_chosen(run, "show", "steps")   ? WALK_STEPS
@@ -150,6 +143,13 @@ int main(int argc, char **argv)
         }
         RasterMesh mesh = raster_mesh(scene);
         TriangleLists lists = triangle_lists_create(&mesh);
+        SolidMesh solid = {0};
+        SolidWork inside = {0};
+        if (fill) {
+            solid = solid_mesh_create(scene, &mesh);
+            inside = solid_work_create(&grid, &solid, run_everything(run));
+        }
+        const Voxels *const chosen = exact ? &voxels[EXACT] : filled ? &inside.result : &voxels[FOUND];
         GBuffer gbuffer = raster_gbuffer(width, height);
         DepthMap *maps = memory_new(scene->light_count, sizeof *maps, "the depth maps");
         for (size_t i = 0; i < scene->light_count; i++)
@@ -170,7 +170,8 @@ int main(int argc, char **argv)
             const bool show_mesh = pictures && run_step_shown(run, "mesh");
             const bool show_holes = pictures && run_step_shown(run, "holes");
             const bool show_exact = pictures && run_step_shown(run, "exact");
-            const bool show_walk = pictures && run_step_shown(run, "walk"), chosen = show_walk || !pictures;
+            const bool show_walk = pictures && run_step_shown(run, "walk"),
+                       find_chosen = show_walk || !pictures;
 
             //[mesh
             const char *no_mesh = !show_mesh ? NOT_SHOWN : SAME_VIEW;
@@ -191,11 +192,14 @@ int main(int argc, char **argv)
 
             //[voxelize
             const char *why_not = new_voxels ? NOT_USED : SAME_VOXELS;
-            if (run_pass(run, "raster", new_voxels && (show_holes || (chosen && !exact)), why_not)) {
-                voxels_clear(&voxels[RASTER]);
-                voxelize_raster(&voxelizer, &mesh, &voxels[RASTER]);
+            const bool other = show_holes || (find_chosen && !exact && !filled);
+            if (run_pass(run, method, new_voxels && other, why_not)) {
+                MethodWork work =
+                    method_find(method, &voxelizer, &surfaces, &mesh, run_everything(run), &voxels[FOUND]);
+                if (work.of > 0)
+                    run_skipped(run, work.skipped, work.of);
             }
-            const bool find = new_voxels && (show_holes || show_exact || (chosen && exact));
+            const bool find = new_voxels && (show_holes || show_exact || (find_chosen && exact));
             if (run_pass(run, "exact: sort", find, why_not)) {
                 voxels_clear(&voxels[EXACT]);
                 voxelize_sort(&voxelizer, &mesh, &grid, &lists);
@@ -208,10 +212,45 @@ int main(int argc, char **argv)
                     voxelize_list(&voxelizer, &mesh, &lists, list, &voxels[EXACT]);
             //]
 
+            //[storage
+            const bool store = new_voxels && find_chosen && exact && strcmp(storage, "occupancy") != 0;
+            const char *no_store = new_voxels && find_chosen && exact ? OTHER_STORAGE : why_not;
+            const Fragments from = {&voxelizer, &mesh, &lists};
+            Attributes stored = {0};
+            if (run_pass(run, "storage: rank", store, no_store))
+                stored = attributes_rank(&attributer, &voxels[EXACT]);
+            if (run_pass(run, "storage: sums", store && strcmp(storage, "attributes") == 0, no_store))
+                attributes_sum(&attributer, &from, &stored);
+            if (run_pass(run, "storage: list", store && strcmp(storage, "list") == 0, no_store)) {
+                run_count(run, "listed", (double)fragment_list_count(&attributer, &from, &stored));
+                fragment_list_fill(&attributer, &from, &stored);
+                run_count(run, "bytes", (double)attributes_bytes(&stored));
+            }
+            if (run_pass(run, "storage: average", store && strcmp(storage, "average") == 0, no_store))
+                attributes_average(&attributer, &from, &stored);
+            attributes_delete(&stored);
+            //]
+
+            //[solid
+            static const char *const parities[] = {"solid: along x", "solid: along y", "solid: along z"};
+            const bool fill_now = filled && find_chosen && new_voxels;
+            const char *no_fill = !filled      ? NO_INSIDE
+                                  : fill_now   ? CLOSED
+                                  : new_voxels ? NOT_SHOWN
+                                               : SAME_VOXELS;
+            for (int axis = 2; axis >= 0; axis--)
+                if (run_pass(run, parities[axis], fill_now && (axis == 2 || !solid.closed), no_fill)) {
+                    solid_flip(&solids, &solid, &inside, axis);
+                    solid_scan(&solids, &inside, axis);
+                }
+            if (run_pass(run, "solid: vote", fill_now && !solid.closed, no_fill))
+                solid_vote(&solids, &solid, &inside);
+            //]
+
             WalkPicture picture = {.show = show, .camera = &camera, .width = width, .height = height};
             if (run_pass(run, "holes: compare", show_holes && new_voxels,
                          show_holes ? SAME_VOXELS : NOT_SHOWN))
-                voxels_compare(&voxelizer, &voxels[RASTER], &voxels[EXACT], &voxels[EITHER], &voxels[MISSED]);
+                voxels_compare(&voxelizer, &voxels[FOUND], &voxels[EXACT], &voxels[EITHER], &voxels[MISSED]);
             picture.voxels = &voxels[EITHER];
             picture.marked = &voxels[MISSED];
             picture.lines = true;
@@ -230,23 +269,59 @@ int main(int argc, char **argv)
             run_step(run, "exact", texture[WHOLE]);
 
             //[walk
-            picture.voxels = &voxels[exact ? EXACT : RASTER];
+            if (run_pass(run, "walk: shadow", shadowed && show_walk && new_voxels,
+                         !shadowed   ? NO_SHADOW
+                         : show_walk ? SAME_VOXELS
+                                     : NOT_SHOWN)) {
+                const char *axis = shadowed ? run_choice(run, "shadow") : "x";
+                const bool against = axis[0] == '-';
+                shadow_volume_find(&shadow_scan, chosen, axis[against] - 'x', against, &voxels[SHADOWED]);
+            }
+            picture.voxels = shadowed ? &voxels[SHADOWED] : chosen;
             picture.lines = false;
             picture.blocks = blocks[WALK];
             picture.framebuffer = framebuffer[WALK];
             show_voxels(run, &walker, raster, &picture, show_walk, new_voxels, new_eye, "walk: blocks",
                         "walk");
+            if (show_walk) {
+                run_count(run, "grid_bytes", (double)voxels[EXACT].bytes);
+                run_count(run, "peak_bytes", (double)measure_peak_bytes());
+            }
             run_step(run, "walk", texture[WALK]);
             //]
 
+            if (run_truth_wanted(run) && (filled || shadowed))
+                fail_request(
+                    "--truth: solids and shadows have no picture of their truth; ask for a surface's");
             if (run_truth_wanted(run)) {
                 Image truth = judge_truth(scene, &grid, show, &camera, width, height);
                 run_truth(run, &truth);
                 image_free(&truth);
             }
         }
-        if (run_measuring_error(run) || run_checking(run))
-            judge(run, &scene->mesh, &voxels[exact ? EXACT : RASTER]);
+        double fragments = 0, invocations = 0;
+        if (run_measuring_error(run)) { // once more, counted
+            MethodCounter counter = method_count_begin();
+            if (exact)
+                voxelize_exact(&voxelizer, &mesh, &lists, &voxels[EXACT]);
+            else if (filled)
+                solid_voxelize(&solids, &solid, &inside);
+            else
+                method_find(method, &voxelizer, &surfaces, &mesh, run_everything(run), &voxels[FOUND]);
+            method_count_end(&counter, &fragments, &invocations);
+        }
+        if ((run_measuring_error(run) || run_checking(run)) && filled)
+            judge_solid(run, &solid, chosen, fragments, invocations);
+        else if (run_measuring_error(run) || run_checking(run))
+            judge_surface(run, &scene->mesh, chosen, fragments, invocations);
+        if (fill) {
+            char *message = filled ? solid_message(scene->name, &solid, &inside) : NULL;
+            if (message)
+                note("%s", message);
+            free(message);
+            solid_work_delete(&inside);
+            solid_mesh_delete(&solid);
+        }
 
         for (size_t i = 0; i < scene->light_count; i++)
             raster_depth_map_delete(&maps[i]);
@@ -263,6 +338,10 @@ int main(int argc, char **argv)
             voxels_delete(&voxels[i]);
     }
     walker_close(&walker);
+    shadow_scan_close(&shadow_scan);
+    attributer_close(&attributer);
+    solids_close(&solids);
+    surfaces_close(&surfaces);
     voxelizer_close(&voxelizer);
     raster_close(raster);
     return run_close(run);

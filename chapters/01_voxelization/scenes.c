@@ -1,6 +1,8 @@
 // scenes: see scenes.h. Each fills the box from 0 to 16 m (times a scale, plus an offset), so that 16 voxels are a metre long. All numbers
 // are float32 numbers exactly.
 #include "scenes.h"
+#include "scenes_hard.h"
+#include "solid_scenes.h"
 #include <string.h>
 
 static void add_sun(Scene *scene)
@@ -97,6 +99,18 @@ const SceneKind voxel_scenes[] = {
     {"oblique", "one triangle across a box of 16 m, at the same slope to all axes", make_oblique},
     {"floor", "a square of 16 m in the plane y = 0", make_floor},
     {"vast", "one triangle of 2^25 m", make_vast},
+    {"point", "one triangle whose corners are one point", scenes_make_point},
+    {"speck", "a tetrahedron smaller than a voxel of 1 m, and a grain in two corners of its box of 16 m",
+     scenes_make_speck},
+    {"crowd", "a million triangles in a box of half a metre, and a grain in two corners of 16 m",
+     scenes_make_crowd},
+    {"edge", "a triangle with an edge of 8 m along a line of the grid, in a box of 16 m", scenes_make_edge},
+    {"beam", "a box of 3 x 500 x 7 m", scenes_make_beam},
+    {"ball", "a ball of 7.5 m", make_ball},
+    {"ball_inside_out", "the ball, its triangles wound the other way", make_ball_inside_out},
+    {"ball_twice", "the ball, each triangle twice", make_ball_twice},
+    {"ball_holes", "the ball with holes: one triangle of 96 is missing", make_ball_holes},
+    {"balls", "two balls of 5 m that overlap", make_balls},
     {NULL, NULL, NULL},
 };
 
@@ -136,6 +150,15 @@ double scenes_voxels(const char *stability_case)
         {"floor", 64 * 64},
         {"one voxel", 1},
         {"empty", 0},
+        {"one point", 0},
+        {"smaller than a voxel", 3}, // its own, and one a grain
+        {"crowd", 3},
+        {"binary crowd", 3},
+        {"edge", 42}, // four voxels round each metre of the line, one more beyond either end, the grains
+        {"binary edge", 42},
+        {"beam", 3 * 500 * 7 - 1 * 498 * 5},
+        {"binary beam", 3 * 500 * 7 - 1 * 498 * 5},
+        {"binary one voxel", 1},
     };
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
         if (strcmp(stability_case, counts[i].name) == 0)

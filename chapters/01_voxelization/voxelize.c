@@ -110,13 +110,34 @@ void voxelize_set_grid(const Shader *shader, const VoxelGrid *grid)
     shader_set_double(shader, "voxel_size", grid->voxel_size);
 }
 
+void voxelize_use(const Shader *shader, const RasterMesh *mesh, const VoxelGrid *grid)
+{
+    shader_use(shader);
+    voxelize_set_grid(shader, grid);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, mesh->positions);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, mesh->indices);
+}
+
+int voxelize_side(const VoxelGrid *grid)
+{
+    int side = grid->size[0] > grid->size[1] ? grid->size[0] : grid->size[1];
+    return side > grid->size[2] ? side : grid->size[2];
+}
+
+// GL promises 65535 groups a side.
+void voxelize_dispatch(uint32_t items)
+{
+    uint32_t groups = (items + GROUP - 1) / GROUP, rows = groups / 65535 + 1;
+    gl.DispatchCompute((groups + rows - 1) / rows, rows, 1);
+}
+
 // A pixel a voxel of the face that is looked at.
-static void begin_drawing(const Voxelizer *voxelizer, const Voxels *voxels, int width, int height)
+void voxelize_begin(GLuint framebuffer, const Voxels *voxels, int width, int height)
 {
     // no larger than needed: llvmpipe clears a bin for each 64×64 pixels (8 ms a draw at 16384²)
-    gl.NamedFramebufferParameteri(voxelizer->framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
-    gl.NamedFramebufferParameteri(voxelizer->framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, voxelizer->framebuffer);
+    gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
+    gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl.Viewport(0, 0, width, height);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, voxels->words);
 }
@@ -126,10 +147,8 @@ static void begin_drawing(const Voxelizer *voxelizer, const Voxels *voxels, int 
 //[raster
 void voxelize_raster(const Voxelizer *voxelizer, const RasterMesh *mesh, const Voxels *voxels)
 {
-    const int *size = voxels->grid.size;
-    int side = size[0] > size[1] ? size[0] : size[1];
-    side = side > size[2] ? side : size[2];
-    begin_drawing(voxelizer, voxels, side, side);
+    int side = voxelize_side(&voxels->grid);
+    voxelize_begin(voxelizer->framebuffer, voxels, side, side);
     shader_use(voxelizer->raster);
     voxelize_set_grid(voxelizer->raster, &voxels->grid);
     raster_draw(mesh);
@@ -159,18 +178,9 @@ void triangle_lists_delete(TriangleLists *lists)
 static void bind_triangles(const Shader *shader, const RasterMesh *mesh, const TriangleLists *lists,
                            const VoxelGrid *grid)
 {
-    shader_use(shader);
-    voxelize_set_grid(shader, grid);
-    GLuint buffers[] = {mesh->positions, mesh->indices, lists->lists, lists->counts};
-    for (GLuint i = 0; i < 4; i++)
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1 + i, buffers[i]);
-}
-
-// One invocation an item. GL promises 65535 groups a side.
-static void dispatch(uint32_t items)
-{
-    uint32_t groups = (items + GROUP - 1) / GROUP, rows = groups / 65535 + 1;
-    gl.DispatchCompute((groups + rows - 1) / rows, rows, 1);
+    voxelize_use(shader, mesh, grid);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, lists->lists);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, lists->counts);
 }
 
 //[sort
@@ -181,7 +191,7 @@ void voxelize_sort(const Voxelizer *voxelizer, const RasterMesh *mesh, const Vox
     bind_triangles(voxelizer->sort, mesh, lists, grid);
     shader_set_uint(voxelizer->sort, "triangle_count", lists->triangle_count);
     shader_set_float(voxelizer->sort, "small_side", voxelizer->small_side);
-    dispatch(lists->triangle_count);
+    voxelize_dispatch(lists->triangle_count);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     // Waiting for 20 bytes costs less than an axis that nothing faces.
     uint32_t counts[LIST_COUNT + 1];
@@ -200,7 +210,7 @@ static void voxelize_small(const Voxelizer *voxelizer, const RasterMesh *mesh, c
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, voxels->words);
     shader_set_uint(voxelizer->small, "list_first", LIST_SMALL * lists->triangle_count);
     shader_set_uint(voxelizer->small, "list_count", lists->count[LIST_SMALL]);
-    dispatch(lists->count[LIST_SMALL]);
+    voxelize_dispatch(lists->count[LIST_SMALL]);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 //]
@@ -210,7 +220,7 @@ static void voxelize_large(const Voxelizer *voxelizer, const RasterMesh *mesh, c
                            int axis, const Voxels *voxels)
 {
     const int *size = voxels->grid.size;
-    begin_drawing(voxelizer, voxels, size[(axis + 1) % 3], size[(axis + 2) % 3]);
+    voxelize_begin(voxelizer->framebuffer, voxels, size[(axis + 1) % 3], size[(axis + 2) % 3]);
     bind_triangles(voxelizer->large, mesh, lists, &voxels->grid);
     shader_set_int(voxelizer->large, "axis", axis);
     gl.BindVertexArray(voxelizer->vertex_array);
@@ -228,6 +238,16 @@ void voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const Tri
         voxelize_large(voxelizer, mesh, lists, list, voxels);
 }
 
+void voxelize_exact(const Voxelizer *voxelizer, const RasterMesh *mesh, TriangleLists *lists,
+                    const Voxels *voxels)
+{
+    voxels_clear(voxels);
+    voxelize_sort(voxelizer, mesh, &voxels->grid, lists);
+    for (int list = 0; list < LIST_COUNT; list++)
+        if (lists->count[list] > 0)
+            voxelize_list(voxelizer, mesh, lists, list, voxels);
+}
+
 // ---------------------------------------------------------------- holes
 
 void voxels_compare(const Voxelizer *voxelizer, const Voxels *a, const Voxels *b, const Voxels *either,
@@ -239,6 +259,6 @@ void voxels_compare(const Voxelizer *voxelizer, const Voxels *a, const Voxels *b
     GLuint buffers[] = {a->words, b->words, either->words, only_b->words};
     for (GLuint i = 0; i < 4; i++)
         gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
-    dispatch(words);
+    voxelize_dispatch(words);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

@@ -58,11 +58,21 @@ void voxelize_sort(const Voxelizer *voxelizer, const RasterMesh *mesh, const Vox
                    TriangleLists *lists);
 void voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists, int list,
                    const Voxels *voxels);
+// All of it at once: clear, sort, every list.
+void voxelize_exact(const Voxelizer *voxelizer, const RasterMesh *mesh, TriangleLists *lists,
+                    const Voxels *voxels);
 // either = a | b, only_b = b & ~a; the three have one grid.
 void voxels_compare(const Voxelizer *voxelizer, const Voxels *a, const Voxels *b, const Voxels *either,
                     const Voxels *only_b);
 
-// The uniforms of shaders/common/grid.glsl and triangles.glsl.
+// For every method that the rasterizer or a compute shader serves. The uniforms of shaders/common/grid.glsl and triangles.glsl:
 void voxelize_set_grid(const Shader *shader, const VoxelGrid *grid);
+// Use the shader on a mesh: its grid, and the triangles at bindings 1 and 2.
+void voxelize_use(const Shader *shader, const RasterMesh *mesh, const VoxelGrid *grid);
+// A framebuffer without pixels of this size, and the voxels' words at binding 0.
+void voxelize_begin(GLuint framebuffer, const Voxels *voxels, int width, int height);
+int voxelize_side(const VoxelGrid *grid); // the longest, in voxels
+// One invocation an item in groups of 64.
+void voxelize_dispatch(uint32_t items);
 
 #endif

@@ -3,12 +3,20 @@
 #include "common/grid.glsl"
 #include "common/triangles.glsl"
 #include "common/overlap.glsl"
+#include "01_voxelization/turn.glsl"
 
+// What becomes of a voxel that is touched: its bit is set, or with STORE its triangle's attributes are kept; with COLUMN_ONLY the includer says.
+#ifdef STORE
+#include "01_voxelization/store.glsl"
+#elif !defined COLUMN_ONLY
 layout(std430, binding = 0) buffer Grid { uint grid_words[]; };
 
-// Turn space about its diagonal so that the axis to look along (0 x, 1 y, 2 z) comes last, and back. A turn keeps right-handedness.
-#define TURN(v, axis) ((axis) == 0 ? (v).yzx : (axis) == 1 ? (v).zxy : (v).xyz)
-#define TURN_BACK(v, axis) ((axis) == 0 ? (v).zxy : (axis) == 1 ? (v).yzx : (v).xyz)
+void voxel_found(ivec3 voxel, uint triangle)
+{
+    uint place, word = grid_word(voxel, place);
+    atomicOr(grid_words[word], 1u << place);
+}
+#endif
 
 // In turned space and voxels from the voxel `base`.
 struct Columns {
@@ -22,6 +30,9 @@ struct Columns {
 // at most), and at 16384 pixels a position is off by 1/1024 and a cut by 1/256. Too large costs only time.
 const float SLACK = 1.0 / 64.0;
 //]
+
+// A column's depth is not worth computing on a plane steeper than this: its rounding is beyond the grid.
+const double STEEPEST = 16384.0LF;
 
 int dominant_axis(dvec3 normal)
 {
@@ -40,11 +51,13 @@ Columns columns_of(uint triangle, int axis)
     dvec3 voxels = dvec3(1.0 / voxel_size), last = dvec3(TURN(grid_size, axis) - 1);
     dvec3 base = clamp(floor(min(p0, min(p1, p2)) * voxels), dvec3(0.0), last);
     p0 = p0 * voxels - base;
-    // A plane seen edge on reaches everywhere; the bounding box then holds the depth.
-    bool edge_on = normal.z == 0.0;
+    // A plane seen (nearly) edge on reaches everywhere; the bounding box then holds the depth.
+    bool edge_on = STEEPEST * abs(normal.z) <= abs(normal.x) + abs(normal.y);
     dvec2 slope = edge_on ? dvec2(0.0) : -normal.xy / normal.z;
-    double depth = p0.z + dot(slope, 0.5 - p0.xy);
-    double reach = edge_on ? last.z + abs(depth) : 0.5 * (abs(slope.x) + abs(slope.y)) + SLACK;
+    double depth = edge_on ? 0.0 : p0.z + dot(slope, 0.5 - p0.xy);
+    // Along another axis than the dominant one slopes are large, and so is what rounding does to a depth.
+    double steep = abs(slope.x) + abs(slope.y);
+    double reach = edge_on ? last.z + 2.0 : 0.5 * steep + SLACK * max(1.0, steep);
     return Columns(vec4(p0, inner.x), vec4(p1 * voxels - base, inner.y), vec4(p2 * voxels - base, inner.z),
                    vec4(slope, depth, reach), ivec4(base, triangle));
 }
@@ -62,20 +75,33 @@ bool touches(Columns c, ivec3 voxel, float extent, int axis)
 }
 
 //[column
-// Set the voxels of one column (from `base`) that the triangle touches; only those are tested that its plane can reach.
+// The voxels of a column (from `base`) that the triangle's plane and box can reach: first and last.
+ivec2 column_span(Columns c, ivec2 column, int axis)
+{
+    float lower = min(c.corner0.z, min(c.corner1.z, c.corner2.z)), upper = max(c.corner0.z, max(c.corner1.z, c.corner2.z));
+    float depth = c.plane.z + dot(c.plane.xy, vec2(column));
+    float first = float(-c.base.z), last = float(TURN(grid_size, axis).z - 1 - c.base.z);
+    float least = floor(max(depth - c.plane.w, lower - SLACK)), most = floor(min(depth + c.plane.w, upper + SLACK));
+    return ivec2(clamp(least, first, last + 1.0), clamp(most, first - 1.0, last));
+}
+
+// Above every coordinate's magnitude, for the error bounds of overlap_fast.
+float column_extent(Columns c, ivec2 column, ivec2 span)
+{
+    vec3 far = max(abs(c.corner0.xyz), max(abs(c.corner1.xyz), abs(c.corner2.xyz)));
+    far = max(far, abs(vec3(column, max(abs(span.x), abs(span.y)))));
+    return 2.0 + max(far.x, max(far.y, far.z));
+}
+
+#ifndef COLUMN_ONLY
+// Set the voxels of one column that the triangle touches.
 void voxelize_column(Columns c, ivec2 column, int axis)
 {
-    vec3 lower = min(c.corner0.xyz, min(c.corner1.xyz, c.corner2.xyz));
-    vec3 upper = max(c.corner0.xyz, max(c.corner1.xyz, c.corner2.xyz));
-    float depth = c.plane.z + dot(c.plane.xy, vec2(column));
-    float least = max(floor(max(depth - c.plane.w, lower.z - SLACK)), float(-c.base.z));
-    float most = min(floor(min(depth + c.plane.w, upper.z + SLACK)), float(TURN(grid_size, axis).z - 1 - c.base.z));
-    vec3 far = max(max(abs(lower), abs(upper)), abs(vec3(column, max(abs(least), abs(most)))));
-    float extent = 2.0 + max(far.x, max(far.y, far.z));
-    for (int depth_voxel = int(least); depth_voxel <= int(most); depth_voxel++)
-        if (touches(c, ivec3(column, depth_voxel), extent, axis)) {
-            uint place, word = grid_word(TURN_BACK(c.base.xyz + ivec3(column, depth_voxel), axis), place);
-            atomicOr(grid_words[word], 1u << place);
-        }
+    ivec2 span = column_span(c, column, axis);
+    float extent = column_extent(c, column, span);
+    for (int depth = span.x; depth <= span.y; depth++)
+        if (touches(c, ivec3(column, depth), extent, axis))
+            voxel_found(TURN_BACK(c.base.xyz + ivec3(column, depth), axis), uint(c.base.w));
 }
+#endif
 //]

@@ -56,6 +56,9 @@ void main()
     vec3 upper = max(c.corner0.xyz, max(c.corner1.xyz, c.corner2.xyz));
     vec3 grid_low = vec3(-c.base.xyz), grid_high = vec3(TURN(grid_size, axis) - c.base.xyz);
     vec2 low = max(lower.xy - REACH, grid_low.xy), high = min(upper.xy + REACH, grid_high.xy);
+#ifdef ANY_DEPTH // a solid is as solid behind a surface before the grid
+    lower.z = upper.z = grid_low.z;
+#endif
     if (any(greaterThanEqual(low, high)) || lower.z > grid_high.z + SLACK || upper.z < grid_low.z - SLACK)
         return;
 

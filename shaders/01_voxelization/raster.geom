@@ -1,6 +1,7 @@
 // raster.geom: choose the axis along which the triangle's projection is largest and look along it (thesis 2.1.2, listing 4.1).
 // One draw serves the three axes, so the viewport is a square of the grid's longest side.
 #include "common/grid.glsl"
+#include "01_voxelization/turn.glsl"
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -16,7 +17,7 @@ void main()
     float side = float(max(grid_size.x, max(grid_size.y, grid_size.z)));
     for (int i = 0; i < 3; i++) {
         vec3 p = voxel_position[i];
-        vec3 turned = along == 0 ? p.yzx : along == 1 ? p.zxy : p;
+        vec3 turned = TURN(p, along);
         axis = along;
         depth = turned.z;
         gl_Position = vec4(2.0 * turned.xy / side - 1.0, 0.0, 1.0);

@@ -19,8 +19,28 @@ void main()
     vec2 upper = max(c.corner0.xy, max(c.corner1.xy, c.corner2.xy)) + SLACK;
     ivec2 first = max(ivec2(floor(lower)), -c.base.xy);
     ivec2 last = min(ivec2(floor(upper)), TURN(grid_size, axis).xy - 1 - c.base.xy);
-    for (int y = first.y; y <= last.y; y++)
-        for (int x = first.x; x <= last.x; x++)
-            voxelize_column(c, ivec2(x, y), axis);
+    if (any(lessThan(last, first)))
+        return;
+    // One loop over all voxels, not three nested ones: invocations run in step, and each waits for the longest in every loop.
+    ivec2 column = first;
+    ivec2 span = column_span(c, column, axis);
+    int depth = span.x;
+    while (true) {
+        if (depth <= span.y) {
+            if (touches(c, ivec3(column, depth), column_extent(c, column, span), axis))
+                voxel_found(TURN_BACK(c.base.xyz + ivec3(column, depth), axis), triangle);
+            depth++;
+        }
+        if (depth > span.y) {
+            column.x++;
+            if (column.x > last.x) {
+                column.x = first.x;
+                if (++column.y > last.y)
+                    break;
+            }
+            span = column_span(c, column, axis);
+            depth = span.x;
+        }
+    }
 }
 //]

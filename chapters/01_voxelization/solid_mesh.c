@@ -1,0 +1,140 @@
+// solid_mesh: what a mesh's triangles and edges say about its inside, before any voxel. The rule stands in solid.h.
+#include "solid.h"
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Corner {
+    float position[3];
+    uint32_t vertex;
+} Corner;
+
+// A triangle by its corners in space, turned so that the least comes first: a turn keeps the winding.
+typedef struct Face {
+    uint32_t corner[3]; // numbers of places
+    uint32_t vertex[3];
+} Face;
+
+static int by_place(const void *a, const void *b)
+{
+    const float *p = ((const Corner *)a)->position, *q = ((const Corner *)b)->position;
+    for (int k = 0; k < 3; k++)
+        if (p[k] != q[k])
+            return p[k] < q[k] ? -1 : 1;
+    return 0;
+}
+
+static int by_corners(const void *a, const void *b)
+{
+    const Face *f = a, *g = b;
+    for (int k = 0; k < 3; k++)
+        if (f->corner[k] != g->corner[k])
+            return f->corner[k] < g->corner[k] ? -1 : 1;
+    return 0;
+}
+
+static int by_number(const void *a, const void *b)
+{
+    uint64_t m = *(const uint64_t *)a, n = *(const uint64_t *)b;
+    return m < n ? -1 : m > n;
+}
+
+// A number for each vertex, the same for the same place and in the places' own order. A mesh repeats a vertex for each normal that it has there.
+static uint32_t *number_places(const Mesh *mesh)
+{
+    Corner *corners = memory_new(mesh->vertex_count + 1, sizeof *corners, "the corners of a solid");
+    uint32_t *number = memory_new(mesh->vertex_count + 1, sizeof *number, "the corners of a solid");
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        corners[i].vertex = (uint32_t)i;
+        memcpy(corners[i].position, mesh->positions + 3 * i, sizeof corners[i].position);
+    }
+    qsort(corners, mesh->vertex_count, sizeof *corners, by_place);
+    uint32_t last = 0;
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        last += i > 0 && by_place(&corners[i - 1], &corners[i]) != 0;
+        number[corners[i].vertex] = last;
+    }
+    free(corners);
+    return number;
+}
+
+// Sorted, each once; *count becomes how many are left. Which copy stays makes no difference: only corners count.
+static Face *unique_faces(const Mesh *mesh, size_t *count)
+{
+    Face *faces = memory_new(mesh->triangle_count + 1, sizeof *faces, "the triangles of a solid");
+    uint32_t *number = number_places(mesh);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const uint32_t *index = mesh->indices + 3 * i;
+        size_t least = 0;
+        for (size_t k = 1; k < 3; k++)
+            least = number[index[k]] < number[index[least]] ? k : least;
+        for (size_t k = 0; k < 3; k++) {
+            faces[i].vertex[k] = index[(least + k) % 3];
+            faces[i].corner[k] = number[faces[i].vertex[k]];
+        }
+    }
+    free(number);
+    qsort(faces, mesh->triangle_count, sizeof *faces, by_corners);
+    *count = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++)
+        if (*count == 0 || by_corners(&faces[*count - 1], &faces[i]) != 0)
+            faces[(*count)++] = faces[i];
+    return faces;
+}
+
+static size_t count_odd_edges(const Face *faces, size_t count)
+{
+    uint64_t *edges = memory_new(3 * count + 1, sizeof *edges, "the edges of a solid");
+    for (size_t i = 0; i < 3 * count; i++) {
+        uint64_t a = faces[i / 3].corner[i % 3], b = faces[i / 3].corner[(i + 1) % 3];
+        edges[i] = a < b ? a << 32 | b : b << 32 | a;
+    }
+    qsort(edges, 3 * count, sizeof *edges, by_number);
+    size_t odd = 0;
+    for (size_t i = 0, next; i < 3 * count; i = next) {
+        for (next = i + 1; next < 3 * count && edges[next] == edges[i];)
+            next++;
+        odd += (next - i) & 1;
+    }
+    free(edges);
+    return odd;
+}
+
+// A sixth of the sum of the triangles' determinants, about the middle of the scene, where cancellation is least.
+static double volume_of(const Scene *scene, const Face *faces, size_t count)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        double p[3][3];
+        for (int v = 0; v < 3; v++)
+            for (int k = 0; k < 3; k++)
+                p[v][k] = (double)scene->mesh.positions[3 * (size_t)faces[i].vertex[v] + (size_t)k] -
+                          0.5 * ((double)scene->lower[k] + (double)scene->upper[k]);
+        for (int k = 0; k < 3; k++)
+            sum += p[0][k] * (p[1][(k + 1) % 3] * p[2][(k + 2) % 3] - p[1][(k + 2) % 3] * p[2][(k + 1) % 3]);
+    }
+    return sum / 6.0;
+}
+
+SolidMesh solid_mesh_create(const Scene *scene, const RasterMesh *mesh)
+{
+    size_t count;
+    Face *faces = unique_faces(&scene->mesh, &count);
+    SolidMesh solid = {.triangles = *mesh, .duplicates = scene->mesh.triangle_count - count};
+    uint32_t *indices = memory_new(3 * count + 1, sizeof *indices, "the triangles of a solid");
+    for (size_t i = 0; i < count; i++)
+        memcpy(indices + 3 * i, faces[i].vertex, sizeof faces[i].vertex);
+    solid.triangles.indices =
+        gl_buffer(.label = "solid's triangles", .data = indices, .bytes = (3 * count + 1) * sizeof *indices);
+    solid.triangles.index_count = (GLsizei)(3 * count);
+    solid.odd_edges = count_odd_edges(faces, count);
+    solid.closed = solid.odd_edges == 0;
+    solid.volume = volume_of(scene, faces, count);
+    free(indices);
+    free(faces);
+    return solid;
+}
+
+void solid_mesh_delete(SolidMesh *solid)
+{
+    gl_buffer_delete(&solid->triangles.indices);
+}
