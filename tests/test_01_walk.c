@@ -99,7 +99,7 @@ static void check_embree(const char *scene, int resolution, WalkShow show)
     uint32_t *bits = bits_exact(&bench, &grid), *true_bits = truth_voxels(&bench.mesh, &grid);
     WalkBench walk = walk_open(&grid, bits, SIZE);
     float *pixels = walk_pixels(&walk, show, &bench.scene->camera, SIZE);
-    Image truth = walk_truth(true_bits, &grid, show, &bench.scene->camera, SIZE, SIZE);
+    Image truth = walk_truth(true_bits, &grid, show, NULL, &bench.scene->camera, SIZE, SIZE);
     int wrong = 0, sky = 0;
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {

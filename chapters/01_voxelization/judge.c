@@ -1,5 +1,6 @@
 // judge: see judge.h.
 #include "judge.h"
+#include "attributes_truth.h"
 #include "scenes.h"
 #include "solid_scenes.h"
 #include <stdlib.h>
@@ -61,6 +62,15 @@ void judge_surface(Run *run, const Mesh *mesh, const Voxels *voxels, double frag
     free(truth);
 }
 
+void judge_attributes(Run *run, const Attributes *stored, bool averaged)
+{
+    AttributesError error = attributes_error(run_scene(run), stored, averaged);
+    run_error(run, "truth", "albedo", error.mean);
+    run_error(run, "truth", "albedo_worst", error.worst);
+    run_error(run, "truth", "albedo_bias", error.bias);
+    run_error(run, "counted", "stored_bytes", (double)attributes_bytes(stored));
+}
+
 // Of a solid: how far its voxels' volume is from the mesh's own (divergence theorem), or from the closed form of a stability case.
 void judge_solid(Run *run, const SolidMesh *solid, const Voxels *voxels, double fragments, double invocations)
 {
@@ -77,6 +87,21 @@ void judge_solid(Run *run, const SolidMesh *solid, const Voxels *voxels, double 
         run_check(run, "volume", expected, count * pow(voxels->grid.voxel_size, 3), 0.01 * expected, 0);
     }
     free(got);
+}
+
+// What WALK_ALBEDO and WALK_MEAN_NORMALS show of each true voxel; NULL for another show.
+static vec3 *true_values(const Scene *scene, const VoxelGrid *grid, WalkShow show)
+{
+    if (show != WALK_ALBEDO && show != WALK_MEAN_NORMALS)
+        return NULL;
+    size_t count;
+    TrueMean *means = attributes_truth(scene, grid, &count);
+    vec3 *values = memory_new(count + 1, sizeof *values, "true attributes");
+    for (size_t i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            values[i][k] = (float)(show == WALK_ALBEDO ? means[i].albedo[k] : means[i].normal[k]);
+    free(means);
+    return values;
 }
 
 // walk_truth's colours are part of the truth: compiled anew, it is computed anew.
@@ -99,8 +124,10 @@ Image judge_truth(const Scene *scene, const VoxelGrid *grid, WalkShow show, cons
         truth = image_read(path);
     } else {
         uint32_t *bits = truth_voxels(&scene->mesh, grid);
-        truth = walk_truth(bits, grid, show, camera, width, height);
+        vec3 *values = true_values(scene, grid, show);
+        truth = walk_truth(bits, grid, show, values, camera, width, height);
         image_write(path, &truth, 0.0f);
+        free(values);
         free(bits);
     }
     free(path);

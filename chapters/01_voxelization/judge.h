@@ -15,6 +15,9 @@
 void judge_surface(Run *run, const Mesh *mesh, const Voxels *voxels, double fragments, double invocations);
 void judge_solid(Run *run, const SolidMesh *solid, const Voxels *voxels, double fragments,
                  double invocations);
+// The rows of a sweep for what `stored` holds of the voxels: sums, or listing 4.9's averages.
+//   albedo, albedo_worst, albedo_bias   of a display's 255 steps (attributes_truth.h); stored_bytes: beside the bits
+void judge_attributes(Run *run, const Attributes *stored, bool averaged);
 
 // walk_truth of the true voxels, kept under out/truth: the same view again costs reading a file.
 Image judge_truth(const Scene *scene, const VoxelGrid *grid, WalkShow show, const Camera *camera, int width,

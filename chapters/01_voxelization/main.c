@@ -21,8 +21,8 @@ static const char *const scenes[] = {"bunny", "cornell", "colonnade", NULL};
 static const RunParameter parameters[] = {
     {.name = "method", .kind = RUN_CHOICE, .choices = "exact raster threepass slicing peeling msaa expanded binary solid", .shows = "how voxels are found"},
     {.name = "resolution", .kind = RUN_INTEGER, .least = 1, .most = 65536, .initial = {64}, .unit = "voxels", .shows = "voxels along the longest side"},
-    {.name = "show", .kind = RUN_CHOICE, .choices = "shaded normals steps distance", .shows = "colour of a voxel: its face in the light, its normal, the planes that the ray crossed, the distance"},
-    {.name = "storage", .kind = RUN_CHOICE, .choices = "occupancy attributes list average", .shows = "what the voxels of method exact hold besides their bit"},
+    {.name = "show", .kind = RUN_CHOICE, .choices = "shaded normals steps distance albedo mean_normals", .shows = "a voxel: its face in the light, the face's normal, planes that the ray crossed, distance; what it stores: albedo, mean normal"},
+    {.name = "storage", .kind = RUN_CHOICE, .choices = "occupancy attributes list average", .shows = "what the voxels of method exact hold besides their bit; occupancy becomes attributes where those are shown"},
     {.name = "shadow", .kind = RUN_CHOICE, .choices = "none x y z -x -y -z", .shows = "step walk: instead of the voxels, those in their shadow when light shines along this axis"},
     {.name = "region_lower", .kind = RUN_VECTOR, .most = 1, .initial = {0, 0, 0}, .shows = "corner of the grid in the scene's box"},
     {.name = "region_upper", .kind = RUN_VECTOR, .most = 1, .initial = {1, 1, 1}, .shows = "opposite corner of the grid in the scene's box"},
@@ -83,6 +83,15 @@ static uint64_t hash_lights(const Scene *scene)
     return hash;
 }
 
+static WalkShow show_of(const Run *run)
+{
+    static const char *const names[] = {"shaded", "normals", "steps", "distance", "albedo", "mean_normals"};
+    int show = 0;
+    while (!run_chosen(run, "show", names[show])) // one of them is: run has checked
+        show++;
+    return (WalkShow)show;
+}
+
 enum { MESH, HOLES, WHOLE, WALK, PICTURES }; // pictures, in the order of `steps`
 enum {
     FOUND,
@@ -125,10 +134,11 @@ int main(int argc, char **argv)
         const char *const method = exact || filled ? "raster" : run_choice(run, "method");
         const bool shadowed = !run_chosen(run, "shadow", "none");
         const char *const storage = run_choice(run, "storage");
-        const WalkShow show = run_chosen(run, "show", "shaded")    ? WALK_SHADED
-                              : run_chosen(run, "show", "normals") ? WALK_NORMALS
-                              : run_chosen(run, "show", "steps")   ? WALK_STEPS
-                                                                   : WALK_DISTANCE;
+        const WalkShow show = show_of(run);
+        const bool coloured = show == WALK_ALBEDO || show == WALK_MEAN_NORMALS;
+        const bool listed = strcmp(storage, "list") == 0, averages = strcmp(storage, "average") == 0;
+        const bool show_averages = averages && show == WALK_ALBEDO; // they hold no normals
+        Attributes stored = {0};
         VoxelGrid grid = voxelize_grid(scene, run_vector(run, "region_lower"),
                                        run_vector(run, "region_upper"), run_integer(run, "resolution"));
         Voxels voxels[VOXEL_SETS];
@@ -199,7 +209,8 @@ int main(int argc, char **argv)
                 if (work.of > 0)
                     run_skipped(run, work.skipped, work.of);
             }
-            const bool find = new_voxels && (show_holes || show_exact || (find_chosen && exact));
+            const bool colours = coloured && (show_holes || show_exact || show_walk);
+            const bool find = new_voxels && (show_holes || show_exact || colours || (find_chosen && exact));
             if (run_pass(run, "exact: sort", find, why_not)) {
                 voxels_clear(&voxels[EXACT]);
                 voxelize_sort(&voxelizer, &mesh, &grid, &lists);
@@ -213,22 +224,30 @@ int main(int argc, char **argv)
             //]
 
             //[storage
-            const bool store = new_voxels && find_chosen && exact && strcmp(storage, "occupancy") != 0;
-            const char *no_store = new_voxels && find_chosen && exact ? OTHER_STORAGE : why_not;
+            const bool store =
+                new_voxels && (colours || (find_chosen && exact && strcmp(storage, "occupancy") != 0));
+            const char *no_store = new_voxels ? OTHER_STORAGE : SAME_VOXELS;
             const Fragments from = {&voxelizer, &mesh, &lists};
-            Attributes stored = {0};
-            if (run_pass(run, "storage: rank", store, no_store))
+            if (run_pass(run, "storage: rank", store, no_store)) {
+                attributes_delete(&stored);
                 stored = attributes_rank(&attributer, &voxels[EXACT]);
-            if (run_pass(run, "storage: sums", store && strcmp(storage, "attributes") == 0, no_store))
+            }
+            if (run_pass(run, "storage: sums", store && !listed && !show_averages && (colours || !averages),
+                         no_store)) {
                 attributes_sum(&attributer, &from, &stored);
-            if (run_pass(run, "storage: list", store && strcmp(storage, "list") == 0, no_store)) {
+                run_count(run, "bytes", (double)attributes_bytes(&stored));
+            }
+            if (run_pass(run, "storage: list", store && listed, no_store)) {
                 run_count(run, "listed", (double)fragment_list_count(&attributer, &from, &stored));
                 fragment_list_fill(&attributer, &from, &stored);
                 run_count(run, "bytes", (double)attributes_bytes(&stored));
             }
-            if (run_pass(run, "storage: average", store && strcmp(storage, "average") == 0, no_store))
+            if (run_pass(run, "storage: list's sums", store && listed && colours, no_store))
+                fragment_list_sum(&attributer, &from, &stored);
+            if (run_pass(run, "storage: average", store && averages, no_store)) {
                 attributes_average(&attributer, &from, &stored);
-            attributes_delete(&stored);
+                run_count(run, "bytes", (double)attributes_bytes(&stored));
+            }
             //]
 
             //[solid
@@ -248,6 +267,8 @@ int main(int argc, char **argv)
             //]
 
             WalkPicture picture = {.show = show, .camera = &camera, .width = width, .height = height};
+            picture.stored = &stored;
+            picture.averaged = show_averages;
             if (run_pass(run, "holes: compare", show_holes && new_voxels,
                          show_holes ? SAME_VOXELS : NOT_SHOWN))
                 voxels_compare(&voxelizer, &voxels[FOUND], &voxels[EXACT], &voxels[EITHER], &voxels[MISSED]);
@@ -314,6 +335,14 @@ int main(int argc, char **argv)
             judge_solid(run, &solid, chosen, fragments, invocations);
         else if (run_measuring_error(run) || run_checking(run))
             judge_surface(run, &scene->mesh, chosen, fragments, invocations);
+        if (run_measuring_error(run) && exact && strcmp(storage, "occupancy") != 0) {
+            if (listed) {
+                const Fragments from = {&voxelizer, &mesh, &lists};
+                fragment_list_sum(&attributer, &from, &stored);
+            }
+            judge_attributes(run, &stored, averages);
+        }
+        attributes_delete(&stored);
         if (fill) {
             char *message = filled ? solid_message(scene->name, &solid, &inside) : NULL;
             if (message)

@@ -95,8 +95,13 @@ double walk_draw(const Walker *walker, const Raster *raster, const WalkPicture *
     shader_set_int(walker->walk, "mark", picture->marked != NULL);
     shader_set_int(walker->walk, "lines", picture->lines);
     shader_set_float(walker->walk, "line_width", 0.5f * pixel_angle_rad(picture->camera, picture->height));
-    GLuint buffers[] = {picture->voxels->words, picture->blocks, marked->words, walker->fetches};
-    for (GLuint i = 0; i < 4; i++)
+    const Attributes none = {0}, *stored = picture->stored ? picture->stored : &none;
+    shader_set_int(walker->walk, "averaged", picture->averaged);
+    GLuint buffers[] = {picture->voxels->words, picture->blocks,
+                        marked->words,          walker->fetches,
+                        stored->ranks,          picture->averaged ? stored->averages : stored->sums,
+                        stored->voxels.words};
+    for (GLuint i = 0; i < sizeof buffers / sizeof *buffers; i++)
         gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
     raster_fullscreen(raster, walker->walk, picture->framebuffer, picture->width, picture->height);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -164,8 +169,28 @@ static int planes_crossed(vec3 eye, vec3 direction, const int size[3], const int
     return crossed;
 }
 
-Image walk_truth(const uint32_t *bits, const VoxelGrid *grid, WalkShow show, const Camera *camera, int width,
-                 int height)
+// The value of set bit i: values come in the bits' order, and the words' ranks say how many bits are set before.
+static vec3 value_of(const uint32_t *bits, const uint32_t *ranks, const vec3 *values, size_t i)
+{
+    uint32_t before = bits[i >> 5] & ((UINT32_C(1) << (i & 31)) - 1);
+    return values[ranks[i >> 5] + (uint32_t)__builtin_popcount(before)];
+}
+
+static vec3 face_color(WalkShow show, vec3 normal, float near, vec3 value)
+{
+    const vec3 half = vec3_make(0.5f, 0.5f, 0.5f), stone = vec3_make(0.95f, 0.90f, 0.82f),
+               sun = vec3_make(0.30f, 0.80f, 0.52f); // of walk.frag
+    if (show == WALK_DISTANCE)
+        return vec3_make(near, near, near);
+    if (show == WALK_NORMALS || show == WALK_MEAN_NORMALS) {
+        vec3 half_way = half + 0.5f * (show == WALK_NORMALS ? normal : value);
+        return near * half_way * half_way;
+    }
+    return near * (0.45f + 0.50f * vec3_dot(normal, sun)) * (show == WALK_ALBEDO ? value : stone);
+}
+
+Image walk_truth(const uint32_t *bits, const VoxelGrid *grid, WalkShow show, const vec3 *values,
+                 const Camera *camera, int width, int height)
 {
     // a metre a voxel, the corner in the origin: what the picture shows has no unit
     VoxelGrid unit = *grid;
@@ -179,6 +204,10 @@ Image walk_truth(const uint32_t *bits, const VoxelGrid *grid, WalkShow show, con
     mat4 turn = mat4_inverse(mat4_look_at(vec3_make(0, 0, 0), camera->target - camera->eye, camera->up));
     float half = tanf(0.5f * camera->vertical_fov_rad), aspect = (float)width / (float)height;
     float sides = (float)(grid->size[0] + grid->size[1] + grid->size[2]);
+    size_t words = grid_words(grid);
+    uint32_t *ranks = memory_new(words + 1, sizeof *ranks, "the true voxels' ranks");
+    for (size_t i = 0; i < words; i++)
+        ranks[i + 1] = ranks[i] + (uint32_t)__builtin_popcount(bits[i]);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) {
             float u = (2.0f * ((float)x + 0.5f) / (float)width - 1.0f) * half * aspect;
@@ -188,26 +217,22 @@ Image walk_truth(const uint32_t *bits, const VoxelGrid *grid, WalkShow show, con
             TruthHit hit = truth_ray(truth, eye, direction);
             bool found = isfinite(hit.distance);
             vec3 color = vec3_make(0.02f, 0.025f, 0.03f); // SKY of walk.frag
+            size_t i = found ? mesh.triangle_material[hit.triangle] : 0, row = (size_t)grid->size[0];
             if (show == WALK_STEPS) {
-                size_t i = found ? mesh.triangle_material[hit.triangle] : 0, row = (size_t)grid->size[0];
                 int voxel[3] = {(int)(i % row), (int)(i / row % (size_t)grid->size[1]),
                                 (int)(i / row / (size_t)grid->size[1])};
                 int crossed = planes_crossed(eye, direction, grid->size, found ? voxel : NULL);
                 float value = 3.0f * (float)crossed / sides;
                 color = vec3_make(clamp01(value), clamp01(value - 1.0f), clamp01(value - 2.0f));
             } else if (found) {
-                float near = exp2f(-1.5f * hit.distance / sides);
-                vec3 half_normal = vec3_make(0.5f, 0.5f, 0.5f) + 0.5f * hit.normal;
-                const vec3 stone = vec3_make(0.95f, 0.90f, 0.82f),
-                           sun = vec3_make(0.30f, 0.80f, 0.52f); // of walk.frag
-                color = show == WALK_SHADED    ? near * (0.45f + 0.50f * vec3_dot(hit.normal, sun)) * stone
-                        : show == WALK_NORMALS ? near * half_normal * half_normal
-                                               : vec3_make(near, near, near);
+                vec3 value = values ? value_of(bits, ranks, values, i) : vec3_make(0, 0, 0);
+                color = face_color(show, hit.normal, exp2f(-1.5f * hit.distance / sides), value);
             }
             for (int k = 0; k < 3; k++)
                 image.pixels[((size_t)y * (size_t)width + (size_t)x) * 3 + (size_t)k] = color[k];
         }
     truth_close(truth);
+    free(ranks);
     free(mesh.positions);
     free(mesh.normals);
     free(mesh.indices);

@@ -3,11 +3,18 @@
 #ifndef WALK_H
 #define WALK_H
 
+#include "attributes.h"
 #include "image.h"
 #include "truth.h"
-#include "voxelize.h"
 
-typedef enum WalkShow { WALK_SHADED, WALK_NORMALS, WALK_STEPS, WALK_DISTANCE } WalkShow;
+typedef enum WalkShow {
+    WALK_SHADED,
+    WALK_NORMALS, // of the face that the ray comes in by
+    WALK_STEPS,
+    WALK_DISTANCE,
+    WALK_ALBEDO, // the voxel's mean, shaded
+    WALK_MEAN_NORMALS
+} WalkShow;
 
 typedef struct Walker {
     Shader *blocks, *walk, *grid_lines;
@@ -29,7 +36,9 @@ typedef struct WalkPicture {
     GLuint blocks;        // blocks_find's of `voxels`
     const Voxels *marked; // shown in red; NULL: none
     WalkShow show;
-    bool lines; // outline each voxel
+    const Attributes *stored; // what ALBEDO and MEAN_NORMALS show, of the same grid; else not read
+    bool averaged;            // ALBEDO: `stored` holds averages instead of sums
+    bool lines;               // outline each voxel
     const Camera *camera;
     int width, height;
     GLuint framebuffer; // one RGBA32F texture
@@ -41,8 +50,9 @@ double walk_draw(const Walker *walker, const Raster *raster, const WalkPicture *
 void grid_lines_draw(const Walker *walker, const GBuffer *gbuffer, const Camera *camera,
                      const VoxelGrid *grid, GLuint picture);
 
-// What walk_draw draws (without lines and marks) for these bits, by Embree: 3 channels. Steps are counted from the hit's voxel.
-Image walk_truth(const uint32_t *bits, const VoxelGrid *grid, WalkShow show, const Camera *camera, int width,
-                 int height);
+// What walk_draw draws (without lines and marks) for these bits, by Embree: 3 channels. Steps are counted from the hit's voxel. ALBEDO and
+// MEAN_NORMALS want the value of each set bit, in their order; else NULL will do.
+Image walk_truth(const uint32_t *bits, const VoxelGrid *grid, WalkShow show, const vec3 *values,
+                 const Camera *camera, int width, int height);
 
 #endif

@@ -19,12 +19,10 @@ vec3 fragment_albedo(uint triangle)
 }
 
 #ifdef SUMS
+#include "01_voxelization/attribute_steps.glsl"
 layout(std430, binding = 5) buffer Sums { uint sums[]; }; // 7 a voxel: fragments; red, green, blue; x, y, z of the normal
 
 //[sums
-// Steps of an albedo and of a normal's component. 10 bits are finer than any display, and 2^32 / 1023 = 4.2 million fragments fit a sum.
-const float ALBEDO_STEPS = 1023.0, NORMAL_STEPS = 511.0;
-
 void add_fragment(uint slot, uint triangle)
 {
     dvec3 p0 = triangle_corner(triangle, 0u);

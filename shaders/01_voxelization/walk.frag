@@ -1,11 +1,12 @@
 // walk: the first voxel along each pixel's ray, as a colour.
 #include "common/camera.glsl"
 #include "common/grid_walk.glsl"
+#include "01_voxelization/stored.glsl"
 
 in vec2 picture_uv;
 out vec4 color;
 uniform vec3 eye_in_grid;  // voxels from the grid's corner
-uniform int show;          // 0 shaded, 1 normals, 2 steps, 3 distance
+uniform int show;          // 0 shaded, 1 normals, 2 steps, 3 distance, 4 albedo, 5 mean normals
 uniform bool mark, lines;  // redden the voxels of `marked_words`; outline all
 uniform float line_width;  // voxels a voxel's distance
 layout(std430, binding = 2) readonly buffer MarkedWords { uint marked_words[]; };
@@ -42,6 +43,12 @@ void main()
         color.rgb = near * (0.5 + 0.5 * normal) * (0.5 + 0.5 * normal);
     if (show == 3)
         color.rgb = vec3(near);
+    if (show == 4) // the inside of a solid, which no triangle touches, is stone, and has no direction
+        color.rgb = near * stored_mean(hit.voxel, false, STONE) * (0.45 + 0.50 * dot(normal, SUN));
+    if (show == 5) {
+        vec3 half_mean = 0.5 + 0.5 * stored_mean(hit.voxel, true, vec3(0.0));
+        color.rgb = near * half_mean * half_mean;
+    }
     if (mark) {
         uint place, word = grid_word(hit.voxel, place);
         if ((marked_words[word] >> place & 1u) != 0u)
