@@ -152,8 +152,8 @@ static void judge(const Scene *scene, int resolution, bool everything)
             }
     cr_assert_eq(wrong, 0, "%ld voxels are wrong (%ld agree, %ld inside)", wrong, agreed, set);
     cr_assert_eq(undecided, 0, "%ld centres have no ray beyond doubt", undecided);
-    cr_assert(near <= 20, "%ld centres on the surface are not judged",
-              near); // a thousandth of a voxel on each side of some 1e4 of surface: 20
+    // a thousandth of a voxel on each side of some 3e4 of surface; only those that differ are counted here
+    cr_assert(near <= 60, "%ld centres on the surface are not judged", near);
     cr_assert(again > 0 && set > 1000, "%ld rays asked again, %ld voxels inside", again, set);
     rtcReleaseScene(rays);
     filled_free(&filled);
@@ -163,7 +163,7 @@ Test(solid_parity, bunny_is_right_at_every_centre, .timeout = 120)
 {
     gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
     Scene *scene = scene_open("bunny", 1);
-    judge(scene, 64, false);
+    judge(scene, 128, false);
     scene_close(scene);
 }
 

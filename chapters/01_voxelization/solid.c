@@ -186,21 +186,26 @@ char *solid_message(const char *name, const SolidMesh *solid, const SolidWork *w
     SolidColumns x = solid_columns(work, 0), y = solid_columns(work, 1), z = solid_columns(work, 2);
     char *text = NULL;
     if (solid->duplicates > 0)
-        text = also(text, "%zu triangles come more than once, each counts once", solid->duplicates);
+        text = also(text, "%zu triangles repeat another one, corners and winding: they do not count",
+                    solid->duplicates);
+    if (solid->back_to_back > 0)
+        text = also(text, "%zu pairs of triangles lie back to back: they cancel, and bound nothing",
+                    solid->back_to_back);
     if (!solid->closed)
-        text = also(text,
-                    "it is not closed (%zu edges belong to an odd number of triangles), so a voxel is inside "
-                    "where two of three axes say so; of the columns along x, y, z %" PRIu32 ", %" PRIu32
-                    ", %" PRIu32 " are crossed an odd number of times and say nothing",
-                    solid->odd_edges, x.odd, y.odd, z.odd);
+        text =
+            also(text,
+                 "not closed: %zu edges belong to an odd number of triangles, so a voxel is inside where two "
+                 "of three axes say so; of the columns along x, y and z, %" PRIu32 ", %" PRIu32
+                 " and %" PRIu32 " are crossed an odd number of times and say nothing",
+                 solid->odd_edges, x.odd, y.odd, z.odd);
     if (z.inside_out > 0)
-        text = also(text,
-                    "it is wound inside out in %" PRIu32 " of %" PRIu32 " columns, and filled all the same",
-                    z.inside_out, z.crossed);
+        text =
+            also(text, "wound inside out in %" PRIu32 " of %" PRIu32 " columns along z: filled all the same",
+                 z.inside_out, z.crossed);
     if (z.overlapping > 0)
         text = also(text,
-                    "its parts overlap or disagree in winding in %" PRIu32 " of %" PRIu32
-                    " columns: what an even number of parts covers is outside",
+                    "parts overlap, or disagree in winding, in %" PRIu32 " of %" PRIu32
+                    " columns along z: what an even number of parts covers is outside",
                     z.overlapping, z.crossed);
     if (!text)
         return NULL;

@@ -6,6 +6,8 @@
 //
 // The rule for meshes that are no proper solids:
 //   duplicated       a triangle that comes again with the same corners (in space) and the same winding counts once.
+//   back to back     two triangles with the same corners and opposite windings both count, so they cancel: a wall between two parts that touch
+//                    is no wall. A mesh whose triangles all come in such pairs (two-sided paper) has no inside.
 //   not closed       a mesh is closed where each edge belongs to an even number of triangles; ends are compared by position. Then every column along
 //                    every axis is crossed an even number of times, and one axis (z) decides. Else all three vote: inside is what two axes
 //                    say, and a column that is crossed an odd number of times says nothing.
@@ -21,7 +23,7 @@
 typedef struct SolidMesh {
     RasterMesh triangles;
     bool closed;
-    size_t duplicates, odd_edges;
+    size_t duplicates, back_to_back, odd_edges;
     double volume; // m³, by the divergence theorem: negative inside out; of no meaning unless closed
 } SolidMesh;
 SolidMesh solid_mesh_create(const Scene *scene, const RasterMesh *mesh);

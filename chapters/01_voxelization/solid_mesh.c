@@ -23,13 +23,24 @@ static int by_place(const void *a, const void *b)
     return 0;
 }
 
-static int by_corners(const void *a, const void *b)
+// Of the corners alone, whichever way they wind: 0 least, 1 and 2 in their order.
+static int by_corners(const Face *f, const Face *g)
+{
+    const uint32_t *p = f->corner, *q = g->corner;
+    const uint32_t f_order[] = {p[0], p[1] < p[2] ? p[1] : p[2], p[1] < p[2] ? p[2] : p[1]};
+    const uint32_t g_order[] = {q[0], q[1] < q[2] ? q[1] : q[2], q[1] < q[2] ? q[2] : q[1]};
+    for (int k = 0; k < 3; k++)
+        if (f_order[k] != g_order[k])
+            return f_order[k] < g_order[k] ? -1 : 1;
+    return 0;
+}
+
+// A triangle comes next to those that repeat it, and these next to those of the same corners wound the other way.
+static int by_corners_and_winding(const void *a, const void *b)
 {
     const Face *f = a, *g = b;
-    for (int k = 0; k < 3; k++)
-        if (f->corner[k] != g->corner[k])
-            return f->corner[k] < g->corner[k] ? -1 : 1;
-    return 0;
+    int order = by_corners(f, g), winding = f->corner[1] < f->corner[2], other = g->corner[1] < g->corner[2];
+    return order != 0 ? order : winding - other;
 }
 
 static int by_number(const void *a, const void *b)
@@ -73,12 +84,21 @@ static Face *unique_faces(const Mesh *mesh, size_t *count)
         }
     }
     free(number);
-    qsort(faces, mesh->triangle_count, sizeof *faces, by_corners);
+    qsort(faces, mesh->triangle_count, sizeof *faces, by_corners_and_winding);
     *count = 0;
     for (size_t i = 0; i < mesh->triangle_count; i++)
-        if (*count == 0 || by_corners(&faces[*count - 1], &faces[i]) != 0)
+        if (*count == 0 || by_corners_and_winding(&faces[*count - 1], &faces[i]) != 0)
             faces[(*count)++] = faces[i];
     return faces;
+}
+
+// Of unique faces: pairs of the same corners and opposite windings.
+static size_t count_back_to_back(const Face *faces, size_t count)
+{
+    size_t pairs = 0;
+    for (size_t i = 1; i < count; i++)
+        pairs += by_corners(&faces[i - 1], &faces[i]) == 0;
+    return pairs;
 }
 
 static size_t count_odd_edges(const Face *faces, size_t count)
@@ -126,6 +146,7 @@ SolidMesh solid_mesh_create(const Scene *scene, const RasterMesh *mesh)
     solid.triangles.indices =
         gl_buffer(.label = "solid's triangles", .data = indices, .bytes = (3 * count + 1) * sizeof *indices);
     solid.triangles.index_count = (GLsizei)(3 * count);
+    solid.back_to_back = count_back_to_back(faces, count);
     solid.odd_edges = count_odd_edges(faces, count);
     solid.closed = solid.odd_edges == 0;
     solid.volume = volume_of(scene, faces, count);
