@@ -13,7 +13,7 @@
 //   rounding_bound   voxels: the proven bound on the truth's own rounding, within which an extra voxel would prove nothing
 //   volume           of a solid: |voxels' volume / the mesh's own − 1|
 void judge_surface(Run *run, const Mesh *mesh, const Voxels *voxels, double fragments, double invocations);
-void judge_solid(Run *run, const SolidMesh *solid, const Voxels *voxels, double fragments,
+void judge_solid(Run *run, const SolidMesh *solid, const SolidWork *work, double fragments,
                  double invocations);
 // The rows of a sweep for what `stored` holds of the voxels: sums, or listing 4.9's averages.
 //   albedo, albedo_worst, albedo_bias   of a display's 255 steps (attributes_truth.h); stored_bytes: beside the bits

@@ -332,7 +332,7 @@ int main(int argc, char **argv)
             method_count_end(&counter, &fragments, &invocations);
         }
         if ((run_measuring_error(run) || run_checking(run)) && filled)
-            judge_solid(run, &solid, chosen, fragments, invocations);
+            judge_solid(run, &solid, &inside, fragments, invocations);
         else if (run_measuring_error(run) || run_checking(run))
             judge_surface(run, &scene->mesh, chosen, fragments, invocations);
         if (run_measuring_error(run) && exact && strcmp(storage, "occupancy") != 0) {

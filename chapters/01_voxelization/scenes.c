@@ -1,6 +1,7 @@
 // scenes: see scenes.h. Each fills the box from 0 to 16 m (times a scale, plus an offset), so that 16 voxels are a metre long. All numbers
 // are float32 numbers exactly.
 #include "scenes.h"
+#include "attribute_scenes.h"
 #include "scenes_hard.h"
 #include "solid_scenes.h"
 #include <string.h>
@@ -111,6 +112,8 @@ const SceneKind voxel_scenes[] = {
     {"ball_twice", "the ball, each triangle twice", make_ball_twice},
     {"ball_holes", "the ball with holes: one triangle of 96 is missing", make_ball_holes},
     {"balls", "two balls of 5 m that overlap", make_balls},
+    {"averages", "a wall of 16 x 16 voxels with 2 to 512 triangles each, all of the same mean albedo",
+     make_averages},
     {NULL, NULL, NULL},
 };
 
