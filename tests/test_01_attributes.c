@@ -1,11 +1,10 @@
-// Attributes of chapter 01's voxels against sums in double over truth's voxels of each triangle, and listing 4.9 against what it promises.
-#include "../chapters/01_voxelization/attributes.h"
+// Attributes of chapter 01's voxels against sums in double over truth's voxels of each triangle. Listing 4.9: test_01_average.c.
+#include "attribute_bench.h"
 #include "failure.h"
 #include "truth.h"
 
-#include <criterion/criterion.h>
-#include <stdlib.h>
-#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 static uint32_t random_bits(uint32_t *state) // xorshift32 (Marsaglia 2003)
 {
@@ -17,66 +16,6 @@ static uint32_t random_bits(uint32_t *state) // xorshift32 (Marsaglia 2003)
 static float uniform(uint32_t *state) // [0, 1)
 {
     return (float)(random_bits(state) >> 8) * 0x1p-24f;
-}
-
-typedef struct Bench {
-    Scene *scene;
-    RasterMesh gpu;
-    Voxelizer voxelizer;
-    Attributer attributer;
-    TriangleLists lists;
-    Voxels voxels;
-    Attributes attributes;
-} Bench;
-
-static void make_nothing(Scene *scene, uint64_t seed)
-{
-    (void)scene, (void)seed;
-}
-
-static Scene *open_empty(void)
-{
-    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
-    return scene_from(&(SceneKind){"made here", "", make_nothing}, 1);
-}
-
-// Find the scene's voxels and number them. `small_side` 0: the usual.
-static Bench bench_open(Scene *scene, const VoxelGrid *grid, float small_side)
-{
-    Bench bench = {.scene = scene,
-                   .gpu = raster_mesh(scene),
-                   .voxelizer = voxelizer_open(),
-                   .attributer = attributer_open(),
-                   .voxels = voxels_create(grid, "voxels")};
-    if (small_side > 0)
-        bench.voxelizer.small_side = small_side;
-    bench.lists = triangle_lists_create(&bench.gpu);
-    voxelize_exact(&bench.voxelizer, &bench.gpu, &bench.lists, &bench.voxels);
-    bench.attributes = attributes_rank(&bench.attributer, &bench.voxels);
-    return bench;
-}
-
-static Fragments fragments_of(const Bench *bench)
-{
-    return (Fragments){&bench->voxelizer, &bench->gpu, &bench->lists};
-}
-
-static void bench_close(Bench *bench)
-{
-    attributes_delete(&bench->attributes);
-    voxels_delete(&bench->voxels);
-    triangle_lists_delete(&bench->lists);
-    attributer_close(&bench->attributer);
-    voxelizer_close(&bench->voxelizer);
-    raster_mesh_delete(&bench->gpu);
-}
-
-static void add_triangle(Scene *scene, vec3 a, vec3 b, vec3 c, uint32_t material)
-{
-    const vec3 none = {0};
-    uint32_t first = mesh_add_vertex(&scene->mesh, a, none);
-    mesh_add_triangle(&scene->mesh, first, mesh_add_vertex(&scene->mesh, b, none),
-                      mesh_add_vertex(&scene->mesh, c, none), material);
 }
 
 // Triangles of all sizes in a grid of 12³, of random colours.
@@ -129,9 +68,6 @@ static uint64_t *truth_fragments(const Scene *scene, const VoxelGrid *grid, size
     qsort(pairs, *count, sizeof *pairs, by_pair);
     return pairs;
 }
-
-// Rounded to steps of 1/1023 and 1/511 each fragment is off by half a step at most, and so is their mean; float32 adds 1e-6.
-static const double ALBEDO_OFF = 0.5 / 1023 + 1e-6, NORMAL_OFF = 0.5 / 511 + 1e-6;
 
 Test(attributes, means_are_right_in_every_voxel)
 {
@@ -213,6 +149,19 @@ Test(attributes, means_are_right_with_more_fragments_than_8_and_16_bits_count, .
                       "normal %g %g %g", (double)read->normal[0], (double)read->normal[1],
                       (double)read->normal[2]);
             free(read);
+            // all of them in one voxel's list, each triangle once
+            cr_assert_eq(fragment_list_count(&bench.attributer, &from, &bench.attributes), counts[c],
+                         "counted");
+            fragment_list_fill(&bench.attributer, &from, &bench.attributes);
+            uint32_t *listed = fragment_list_read(&bench.attributes);
+            bool *seen = memory_new(counts[c], sizeof *seen, "triangles seen");
+            for (uint32_t i = 0; i < counts[c]; i++) {
+                cr_assert(listed[2 * i] == 0 && listed[2 * i + 1] < counts[c] && !seen[listed[2 * i + 1]],
+                          "%u: voxel %u, triangle %u", i, listed[2 * i], listed[2 * i + 1]);
+                seen[listed[2 * i + 1]] = true;
+            }
+            free(listed);
+            free(seen);
             bench_close(&bench);
         }
         scene_close(scene);
@@ -288,6 +237,42 @@ Test(attributes, the_list_drops_no_fragment_and_its_sums_are_the_same)
     scene_close(scene);
 }
 
+// llvmpipe reads LP_NUM_THREADS when a context is made: one process a count.
+Test(attributes, any_number_of_threads_gives_the_same_sums_and_list)
+{
+    uint64_t hash[2];
+    for (int i = 0; i < 2; i++) {
+        int ends[2];
+        cr_assert_eq(pipe(ends), 0, "pipe");
+        pid_t child = fork();
+        if (child == 0) {
+            setenv("LP_NUM_THREADS", i == 0 ? "0" : "4", 1);
+            Scene *scene = make_heap(2000);
+            Bench bench = bench_open(scene, &heap_grid, 0);
+            Fragments from = fragments_of(&bench);
+            attributes_sum(&bench.attributer, &from, &bench.attributes);
+            uint32_t *sums = sums_of(&bench.attributes);
+            size_t count = fragment_list_count(&bench.attributer, &from, &bench.attributes);
+            fragment_list_fill(&bench.attributer, &from, &bench.attributes);
+            uint32_t *listed = fragment_list_read(&bench.attributes);
+            uint64_t *sorted = memory_new(count, sizeof *sorted, "pairs");
+            for (size_t k = 0; k < count; k++)
+                sorted[k] = (uint64_t)listed[2 * k] << 32 | listed[2 * k + 1];
+            qsort(sorted, count, sizeof *sorted, by_pair);
+            uint64_t found = hash_bytes(hash_bytes(HASH_START, sums, 28 * (size_t)bench.attributes.slots),
+                                        sorted, count * sizeof *sorted);
+            _exit(write(ends[1], &found, sizeof found) == sizeof found && count > 10000 ? 0 : 1);
+        }
+        int status = 1;
+        waitpid(child, &status, 0);
+        cr_assert_eq(status, 0, "the child has written");
+        cr_assert_eq(read(ends[0], &hash[i], sizeof hash[i]), (ssize_t)sizeof hash[i], "a hash");
+        close(ends[0]);
+        close(ends[1]);
+    }
+    cr_assert_eq(hash[0], hash[1], "one thread and four");
+}
+
 // No triangle in the grid, and none at all.
 Test(attributes, nothing_has_no_attributes)
 {
@@ -327,72 +312,4 @@ Test(attributes, more_fragments_than_a_sum_holds_are_refused)
     Failure failure = failure_of(read_too_many);
     cr_assert_eq(failure.status, 1, "the work failed: %d", failure.status);
     cr_assert(failure_says(&failure, "4198405 fragments"), "%s", failure.message);
-}
-
-// ---------------------------------------------------------------- listing 4.9
-
-// What is left of these values, averaged in this order: mean (0 to 255) and count.
-static void average(const float *values, size_t count, int *mean, int *fragments)
-{
-    Shader *shader = shader_open("average", NULL, "attributes/average.comp");
-    GLuint in = gl_buffer(.label = "values", .data = values, .bytes = count * sizeof *values);
-    GLuint out = gl_buffer(.label = "average", .bytes = sizeof(uint32_t));
-    uint32_t left;
-    shader_use(shader);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, out);
-    gl.DispatchCompute(1, 1, 1);
-    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    gl_buffer_read(out, 0, sizeof left, &left);
-    *mean = (int)(left & 255);
-    *fragments = (int)(left >> 24);
-    gl_buffer_delete(&in);
-    gl_buffer_delete(&out);
-    shader_close(shader);
-}
-
-Test(attributes, the_printed_average_drifts_and_forgets)
-{
-    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
-    shader_search_first("tests/data");
-    float values[600];
-    int mean, fragments;
-    // 100.5 and 156.5 of 255 in turn, so that a step's own rounding cannot fall below: their mean is 128. Each average that is no whole
-    // number is rounded down, and soon a step up is less than 1.
-    for (int i = 0; i < 600; i++)
-        values[i] = (i % 2 ? 156.5f : 100.5f) / 255.0f;
-    average(values, 200, &mean, &fragments);
-    cr_assert(fragments == 200 && mean <= 104, "drifted down to %d of 128 (%d fragments)", mean, fragments);
-    // two of them are averaged well: it is the repetition that drifts
-    average(values, 2, &mean, &fragments);
-    cr_assert(fragments == 2 && abs(mean - 128) <= 1, "%d of 128", mean);
-    // 255 white ones are still counted; one more and the count is 0; then a single black one is all that is known
-    for (int i = 0; i < 600; i++)
-        values[i] = i < 256 ? 1.0f : 0.0f;
-    average(values, 255, &mean, &fragments);
-    cr_assert(fragments == 255 && mean == 255, "%d, %d fragments", mean, fragments);
-    average(values, 256, &mean, &fragments);
-    cr_assert(fragments == 0 && mean == 255, "%d, %d fragments", mean, fragments);
-    average(values, 257, &mean, &fragments);
-    cr_assert(fragments == 1 && mean == 0, "%d of 254, %d fragments", mean, fragments);
-}
-
-// The same in a voxel of the pipeline, where order is nobody's choice: 300 alike fragments are counted as 300 − 256.
-Test(attributes, the_printed_average_counts_to_255)
-{
-    Scene *scene = open_empty();
-    scene_add_material(scene, "", vec3_make(1, 0, 0.6f), vec3_make(0, 0, 0));
-    for (int i = 0; i < 300; i++)
-        add_triangle(scene, vec3_make(1, 1, 1), vec3_make(2, 1, 1), vec3_make(1, 2, 1), 0);
-    for (int way = 0; way < 2; way++) {
-        Bench bench = bench_open(scene, &(VoxelGrid){{0, 0, 0}, 4.0, {1, 1, 1}}, way ? 0.01f : 0);
-        Fragments from = fragments_of(&bench);
-        attributes_average(&bench.attributer, &from, &bench.attributes);
-        uint32_t *left = attributes_read_averages(&bench.attributes);
-        cr_assert_eq(left[0] >> 24, 44u, "%u fragments", left[0] >> 24);
-        cr_assert_eq(left[0] & 255, 255u, "red %u", left[0] & 255);
-        free(left);
-        bench_close(&bench);
-    }
-    scene_close(scene);
 }
