@@ -249,6 +249,24 @@ Test(voxelization, small_and_large_triangles_are_treated_alike)
     free(large);
 }
 
+// However many undecided voxels the list holds, none is dropped: one too many, and all are decided at once.
+Test(voxelization, where_and_when_a_voxel_is_decided_changes_nothing)
+{
+    Bench bench = bench_open("cornell"); // its walls' diagonals pass through voxels' corners
+    VoxelGrid grid = scene_grid(bench.scene, 48);
+    uint32_t *later = bits_exact(&bench, &grid);
+    Voxels voxels = voxels_create(&grid, "undecided");
+    uint32_t undecided = voxelize_list(&bench.voxelizer, &bench.gpu, &bench.lists, LIST_X, &voxels);
+    cr_assert(undecided > 1, "%u voxels are undecided", undecided);
+    for (uint32_t most = 0; most <= undecided; most += undecided - 1) {
+        bench.voxelizer.undecided_most = most;
+        uint32_t *bits = bits_exact(&bench, &grid);
+        check_same(bits, later, &grid, "at once");
+        free(bits);
+    }
+    free(later);
+}
+
 // ---------------------------------------------------------------- what is left out
 
 // A triangle beyond a face of a grid of 8 voxels, or in it, both ways.

@@ -2,7 +2,10 @@
 // in shaders/common/grid.glsl, triangles.glsl and overlap.glsl.
 #include "voxelize.h"
 
-enum { GROUP = 64 }; // local_size_x of the compute shaders here
+enum {
+    GROUP = 64,               // local_size_x of the compute shaders here
+    UNDECIDED_MOST = 1 << 18, // voxels, 4 MiB
+};
 
 // Voxels. To draw a triangle of a few voxels costs ten times what its voxels do: on the bunny at 256³ a side of 2 takes ten times as long
 // as one of 4, and 4, 8, 16, 32 differ by less than repeats do.
@@ -81,9 +84,15 @@ Voxelizer voxelizer_open(void)
         .raster = shader_open("voxelize raster", NULL, "01_voxelization/raster.vert",
                               "01_voxelization/raster.geom", "01_voxelization/raster.frag"),
         .sort = shader_open("sort triangles", NULL, "01_voxelization/sort.comp"),
-        .small = shader_open("voxelize small", NULL, "01_voxelization/small.comp"),
-        .large = shader_open("voxelize large", NULL, "01_voxelization/list.vert",
-                             "01_voxelization/large.geom", "01_voxelization/large.frag"),
+        .small = {shader_open("voxelize small", "LATER", "01_voxelization/small.comp"),
+                  shader_open("voxelize small at once", NULL, "01_voxelization/small.comp")},
+        .large = {shader_open("voxelize large", "LATER", "01_voxelization/list.vert",
+                              "01_voxelization/large.geom", "01_voxelization/large.frag"),
+                  shader_open("voxelize large at once", NULL, "01_voxelization/list.vert",
+                              "01_voxelization/large.geom", "01_voxelization/large.frag")},
+        .decide = shader_open("decide", NULL, "01_voxelization/decide.comp"),
+        .undecided_most = UNDECIDED_MOST,
+        .undecided = gl_buffer(.label = "undecided", .bytes = (UNDECIDED_MOST + 1) * sizeof(uint32_t[4])),
         .compare = shader_open("compare voxels", NULL, "01_voxelization/compare.comp"),
         // no pixel is ever written: the fragment stage stores voxels
         .framebuffer = gl_framebuffer(.label = "voxelize", .width = 1, .height = 1),
@@ -96,10 +105,14 @@ void voxelizer_close(Voxelizer *voxelizer)
 {
     shader_close(voxelizer->raster);
     shader_close(voxelizer->sort);
-    shader_close(voxelizer->small);
-    shader_close(voxelizer->large);
+    for (int at_once = 0; at_once < 2; at_once++) {
+        shader_close(voxelizer->small[at_once]);
+        shader_close(voxelizer->large[at_once]);
+    }
+    shader_close(voxelizer->decide);
     shader_close(voxelizer->compare);
     gl_framebuffer_delete(&voxelizer->framebuffer);
+    gl_buffer_delete(&voxelizer->undecided);
     gl.DeleteVertexArrays(1, &voxelizer->vertex_array);
 }
 
@@ -204,39 +217,63 @@ void voxelize_sort(const Voxelizer *voxelizer, const RasterMesh *mesh, const Vox
 
 //[small
 static void voxelize_small(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists,
-                           const Voxels *voxels)
+                           bool at_once, const Voxels *voxels)
 {
-    bind_triangles(voxelizer->small, mesh, lists, &voxels->grid);
+    const Shader *shader = voxelizer->small[at_once];
+    bind_triangles(shader, mesh, lists, &voxels->grid);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, voxels->words);
-    shader_set_uint(voxelizer->small, "list_first", LIST_SMALL * lists->triangle_count);
-    shader_set_uint(voxelizer->small, "list_count", lists->count[LIST_SMALL]);
+    shader_set_uint(shader, "undecided_most", voxelizer->undecided_most);
+    shader_set_uint(shader, "list_first", LIST_SMALL * lists->triangle_count);
+    shader_set_uint(shader, "list_count", lists->count[LIST_SMALL]);
     voxelize_dispatch(lists->count[LIST_SMALL]);
-    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 //]
 
 //[large
 static void voxelize_large(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists,
-                           int axis, const Voxels *voxels)
+                           int axis, bool at_once, const Voxels *voxels)
 {
+    const Shader *shader = voxelizer->large[at_once];
     const int *size = voxels->grid.size;
     voxelize_begin(voxelizer->framebuffer, voxels, size[(axis + 1) % 3], size[(axis + 2) % 3]);
-    bind_triangles(voxelizer->large, mesh, lists, &voxels->grid);
-    shader_set_int(voxelizer->large, "axis", axis);
+    bind_triangles(shader, mesh, lists, &voxels->grid);
+    shader_set_uint(shader, "undecided_most", voxelizer->undecided_most);
+    shader_set_int(shader, "axis", axis);
     gl.BindVertexArray(voxelizer->vertex_array);
     gl.DrawArrays(GL_POINTS, (GLint)((uint32_t)axis * lists->triangle_count), (GLsizei)lists->count[axis]);
-    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 //]
 
-void voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists, int list,
-                   const Voxels *voxels)
+static void voxelize_by(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists,
+                        int list, bool at_once, const Voxels *voxels)
 {
     if (list == LIST_SMALL)
-        voxelize_small(voxelizer, mesh, lists, voxels);
+        voxelize_small(voxelizer, mesh, lists, at_once, voxels);
     else
-        voxelize_large(voxelizer, mesh, lists, list, voxels);
+        voxelize_large(voxelizer, mesh, lists, list, at_once, voxels);
+    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
+
+//[later
+uint32_t voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists,
+                       int list, const Voxels *voxels)
+{
+    uint32_t count = 0;
+    gl.NamedBufferSubData(voxelizer->undecided, 0, sizeof count, &count);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, voxelizer->undecided);
+    voxelize_by(voxelizer, mesh, lists, list, false, voxels);
+    gl_buffer_read(voxelizer->undecided, 0, sizeof count, &count);
+    if (count > voxelizer->undecided_most) { // once more, at once: a bit that is set twice is set
+        voxelize_by(voxelizer, mesh, lists, list, true, voxels);
+    } else if (count > 0) {
+        voxelize_use(voxelizer->decide, mesh, &voxels->grid);
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, voxels->words);
+        voxelize_dispatch(count);
+        gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+    return count;
+}
+//]
 
 void voxelize_exact(const Voxelizer *voxelizer, const RasterMesh *mesh, TriangleLists *lists,
                     const Voxels *voxels)

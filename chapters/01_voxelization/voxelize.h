@@ -43,10 +43,12 @@ TriangleLists triangle_lists_create(const RasterMesh *mesh);
 void triangle_lists_delete(TriangleLists *lists);
 
 typedef struct Voxelizer {
-    Shader *raster, *sort, *small, *large, *compare;
-    GLuint framebuffer, vertex_array;
-    float
-        small_side; // voxels: a triangle whose box is no longer is small. Any value gives the same voxels, in another time
+    Shader *raster, *sort, *small[2], *large[2], *decide,
+        *compare; // [1]: decide in double at once, not later
+    GLuint framebuffer, vertex_array, undecided;
+    // Any value of these gives the same voxels, in another time:
+    float small_side;        // voxels: a triangle whose box is no longer is small
+    uint32_t undecided_most; // at most as many as voxelizer_open sets: voxels put off to be decided in double
 } Voxelizer;
 Voxelizer voxelizer_open(void);
 void voxelizer_close(Voxelizer *voxelizer);
@@ -56,8 +58,9 @@ void voxelize_raster(const Voxelizer *voxelizer, const RasterMesh *mesh, const V
 // Method `exact`: sort, then every list that is not empty (an empty one may be done: it does nothing).
 void voxelize_sort(const Voxelizer *voxelizer, const RasterMesh *mesh, const VoxelGrid *grid,
                    TriangleLists *lists);
-void voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists, int list,
-                   const Voxels *voxels);
+// Returns how many pairs of a triangle and a voxel single precision could not decide.
+uint32_t voxelize_list(const Voxelizer *voxelizer, const RasterMesh *mesh, const TriangleLists *lists,
+                       int list, const Voxels *voxels);
 // All of it at once: clear, sort, every list.
 void voxelize_exact(const Voxelizer *voxelizer, const RasterMesh *mesh, TriangleLists *lists,
                     const Voxels *voxels);

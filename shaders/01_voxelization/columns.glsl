@@ -18,11 +18,12 @@ void voxel_found(ivec3 voxel, uint triangle)
 }
 #endif
 
-// In turned space and voxels from the voxel `base`.
+// In turned space; voxels from the grid's corner, but `overlap` and `depth` from voxel `first`.
 struct Columns {
-    vec4 corner0, corner1, corner2; // w: the inner side along x, y, z
-    vec4 plane;                     // depth over the base's centre, its slopes, and how far it reaches within a pixel
-    ivec4 base;                     // w: the triangle
+    ivec3 first, last; // the voxels of the triangle's box, none where last < first
+    uint triangle;
+    vec4 depth; // over the middle of column (0, 0), its slopes, and how far it reaches within a column
+    Overlap overlap;
 };
 
 //[slack
@@ -43,65 +44,68 @@ int dominant_axis(dvec3 normal)
 //[columns
 Columns columns_of(uint triangle, int axis)
 {
+    Columns c;
+    c.triangle = triangle;
     dvec3 p0 = TURN(triangle_corner(triangle, 0u), axis), p1 = TURN(triangle_corner(triangle, 1u), axis);
-    dvec3 p2 = TURN(triangle_corner(triangle, 2u), axis);
-    dvec3 normal = cross(p1 - p0, p2 - p0);
-    vec3 inner = vec3(overlap_inner(normal));
-    // Small numbers near the triangle: single precision then tells most voxels.
-    dvec3 voxels = dvec3(1.0 / voxel_size), last = dvec3(TURN(grid_size, axis) - 1);
-    dvec3 base = clamp(floor(min(p0, min(p1, p2)) * voxels), dvec3(0.0), last);
-    p0 = p0 * voxels - base;
-    // A plane seen (nearly) edge on reaches everywhere; the bounding box then holds the depth.
+    dvec3 p2 = TURN(triangle_corner(triangle, 2u), axis), normal = cross(p1 - p0, p2 - p0);
+    // The box's test, exactly: a voxel's faces are products without rounding, only the divisions need to be put right.
+    dvec3 lower = min(p0, min(p1, p2)), upper = max(p0, max(p1, p2)), size = dvec3(TURN(grid_size, axis));
+    dvec3 first = floor(lower / voxel_size), last = floor(upper / voxel_size);
+    first -= dvec3(greaterThanEqual(first * voxel_size, lower)); // in a face: the voxel before it touches, too
+    last -= dvec3(greaterThan(last * voxel_size, upper));
+    c.first = ivec3(clamp(first, dvec3(0.0), size));
+    c.last = ivec3(clamp(last, dvec3(-1.0), size - 1.0));
+    // Counted from the box's first voxel numbers are small: single precision then tells most voxels.
+    dvec3 base = dvec3(c.first);
+    ivec3 extent = max(c.last - c.first, ivec3(0)) + 2;
+    c.overlap = overlap_prepare(p0, p1, p2, voxel_size, base, float(max(extent.x, max(extent.y, extent.z))));
+    // A plane seen (nearly) edge on reaches everywhere. Along another axis than the dominant one slopes are large, and so is what rounding
+    // does to a depth.
     bool edge_on = STEEPEST * abs(normal.z) <= abs(normal.x) + abs(normal.y);
     dvec2 slope = edge_on ? dvec2(0.0) : -normal.xy / normal.z;
-    double depth = edge_on ? 0.0 : p0.z + dot(slope, 0.5 - p0.xy);
-    // Along another axis than the dominant one slopes are large, and so is what rounding does to a depth.
+    p0 = p0 / voxel_size - base;
     double steep = abs(slope.x) + abs(slope.y);
-    double reach = edge_on ? last.z + 2.0 : 0.5 * steep + SLACK * max(1.0, steep);
-    return Columns(vec4(p0, inner.x), vec4(p1 * voxels - base, inner.y), vec4(p2 * voxels - base, inner.z),
-                   vec4(slope, depth, reach), ivec4(base, triangle));
+    c.depth = vec4(slope, p0.z + dot(slope, 0.5 - p0.xy), edge_on ? 1e30 : 0.5 * steep + SLACK * max(1.0, steep));
+    return c;
 }
 //]
 
-bool touches(Columns c, ivec3 voxel, float extent, int axis)
-{
-    vec3 inner = vec3(c.corner0.w, c.corner1.w, c.corner2.w);
-    int answer = overlap_fast(c.corner0.xyz, c.corner1.xyz, c.corner2.xyz, inner, vec3(voxel), extent);
-    if (answer != 0)
-        return answer > 0;
-    uint triangle = uint(c.base.w);
-    return overlap_exact(TURN(triangle_corner(triangle, 0u), axis), TURN(triangle_corner(triangle, 1u), axis),
-                         TURN(triangle_corner(triangle, 2u), axis), dvec3(c.base.xyz + voxel) * voxel_size, voxel_size);
-}
-
 //[column
-// The voxels of a column (from `base`) that the triangle's plane and box can reach: first and last.
-ivec2 column_span(Columns c, ivec2 column, int axis)
+// The voxels of a column (from c.first) that the triangle's plane and box can reach: first and last.
+ivec2 column_span(Columns c, ivec2 column)
 {
-    float lower = min(c.corner0.z, min(c.corner1.z, c.corner2.z)), upper = max(c.corner0.z, max(c.corner1.z, c.corner2.z));
-    float depth = c.plane.z + dot(c.plane.xy, vec2(column));
-    float first = float(-c.base.z), last = float(TURN(grid_size, axis).z - 1 - c.base.z);
-    float least = floor(max(depth - c.plane.w, lower - SLACK)), most = floor(min(depth + c.plane.w, upper + SLACK));
-    return ivec2(clamp(least, first, last + 1.0), clamp(most, first - 1.0, last));
+    float depth = c.depth.z + dot(c.depth.xy, vec2(column)), most = float(c.last.z - c.first.z);
+    return ivec2(floor(clamp(vec2(depth - c.depth.w, depth + c.depth.w), vec2(0.0, -1.0), vec2(most + 1.0, most))));
+}
+//]
+
+bool touches_exactly(uint triangle, ivec3 voxel, int axis) // in turned space
+{
+    return overlap_exact(TURN(triangle_corner(triangle, 0u), axis), TURN(triangle_corner(triangle, 1u), axis),
+                         TURN(triangle_corner(triangle, 2u), axis), dvec3(voxel) * voxel_size, voxel_size);
 }
 
-// Above every coordinate's magnitude, for the error bounds of overlap_fast.
-float column_extent(Columns c, ivec2 column, ivec2 span)
-{
-    vec3 far = max(abs(c.corner0.xyz), max(abs(c.corner1.xyz), abs(c.corner2.xyz)));
-    far = max(far, abs(vec3(column, max(abs(span.x), abs(span.y)))));
-    return 2.0 + max(far.x, max(far.y, far.z));
-}
-
-#ifndef COLUMN_ONLY
-// Set the voxels of one column that the triangle touches.
-void voxelize_column(Columns c, ivec2 column, int axis)
-{
-    ivec2 span = column_span(c, column, axis);
-    float extent = column_extent(c, column, span);
-    for (int depth = span.x; depth <= span.y; depth++)
-        if (touches(c, ivec3(column, depth), extent, axis))
-            voxel_found(TURN_BACK(c.base.xyz + ivec3(column, depth), axis), uint(c.base.w));
-}
+#ifdef LATER
+layout(std430, binding = 5) buffer Undecided { uint undecided_count; uvec4 undecided[]; }; // voxel, triangle
+uniform uint undecided_most;
 #endif
+
+//[touches
+// `voxel` within the box, from c.first. Undecided voxels are decided in double at once, or LATER, by decide.comp: processors that work in
+// step, as a GPU's and this renderer's do, take both branches of an `if` when a single one of their voxels needs the long one.
+bool touches(Columns c, ivec3 voxel, int axis)
+{
+    float value = overlap_value(c.overlap, vec3(voxel));
+    if (abs(value) <= c.overlap.error) {
+#ifdef LATER
+        uint at = atomicAdd(undecided_count, 1u);
+        if (at < undecided_most)
+            undecided[at] = uvec4(TURN_BACK(c.first + voxel, axis), c.triangle);
+        return false;
+#else
+        return touches_exactly(c.triangle, c.first + voxel, axis);
+#endif
+    }
+    return value > 0.0;
+}
 //]

@@ -8,25 +8,26 @@ layout(points) in;
 layout(triangle_strip, max_vertices = 7) out;
 in uint listed[];
 uniform int axis;
-flat out vec4 corner0, corner1, corner2, plane; // struct Columns
-flat out ivec4 base;
+#ifdef ANY_DEPTH
+flat out ivec4 base; // w: the triangle
+#else
+flat out Columns columns;
+#endif
 
-const float REACH = 0.5 + SLACK; // pixels
-
-vec2 polygon[7]; // pixels from base
+vec2 polygon[7]; // pixels from the box's first
 int count = 4;
 
 //[cut
 // Keep the part of the polygon where normal · p + offset ≥ 0.
-void cut(dvec2 normal, double offset)
+void cut(vec2 normal, float offset)
 {
     vec2 kept[7];
     int kept_count = 0;
     vec2 from = polygon[count - 1];
-    float from_side = float(dot(normal, dvec2(from)) + offset);
+    float from_side = dot(normal, from) + offset;
     for (int i = 0; i < count; i++) {
         vec2 to = polygon[i];
-        float to_side = float(dot(normal, dvec2(to)) + offset);
+        float to_side = dot(normal, to) + offset;
         if ((from_side < 0.0) != (to_side < 0.0))
             kept[kept_count++] = mix(from, to, from_side / (from_side - to_side));
         if (to_side >= 0.0)
@@ -38,46 +39,41 @@ void cut(dvec2 normal, double offset)
     for (int i = 0; i < count; i++)
         polygon[i] = kept[i];
 }
-
-void cut_edge(uint triangle, uint corner, dvec2 base_corner, double inner)
-{
-    dvec2 from = TURN(triangle_corner(triangle, corner), axis).xy / voxel_size - base_corner;
-    dvec2 to = TURN(triangle_corner(triangle, (corner + 1u) % 3u), axis).xy / voxel_size - base_corner;
-    dvec2 normal = inner * dvec2(from.y - to.y, to.x - from.x);
-    if (count > 2)
-        cut(normal, REACH * (abs(normal.x) + abs(normal.y)) - dot(normal, from));
-}
 //]
 
 void main()
 {
     Columns c = columns_of(listed[0], axis);
-    vec3 lower = min(c.corner0.xyz, min(c.corner1.xyz, c.corner2.xyz));
-    vec3 upper = max(c.corner0.xyz, max(c.corner1.xyz, c.corner2.xyz));
-    vec3 grid_low = vec3(-c.base.xyz), grid_high = vec3(TURN(grid_size, axis) - c.base.xyz);
-    vec2 low = max(lower.xy - REACH, grid_low.xy), high = min(upper.xy + REACH, grid_high.xy);
 #ifdef ANY_DEPTH // a solid is as solid behind a surface before the grid
-    lower.z = upper.z = grid_low.z;
-#endif
-    if (any(greaterThanEqual(low, high)) || lower.z > grid_high.z + SLACK || upper.z < grid_low.z - SLACK)
+    if (any(lessThan(c.last.xy, c.first.xy)))
         return;
-
-    polygon[0] = low;
-    polygon[1] = vec2(high.x, low.y);
-    polygon[2] = high;
-    polygon[3] = vec2(low.x, high.y);
-    for (uint corner = 0u; corner < 3u; corner++)
-        cut_edge(listed[0], corner, dvec2(c.base.xy), double(c.corner2.w));
-
+#else
+    if (any(lessThan(c.last, c.first)))
+        return;
+#endif
+    vec2 end = vec2(c.last.xy - c.first.xy + 1);
+    polygon[0] = vec2(0.0);
+    polygon[1] = vec2(end.x, 0.0);
+    polygon[2] = end;
+    polygon[3] = vec2(0.0, end.y);
+    //[cuts
+    // The tests along the depth are linear in a pixel's lower corner, which is half a pixel before the centre.
+    for (int edge = 0; edge < 3; edge++) {
+        vec2 normal = vec2(c.overlap.a[edge].z, c.overlap.b[edge].z);
+        float slack = SLACK * (abs(normal.x) + abs(normal.y));
+        if (count > 2)
+            cut(normal, c.overlap.c[edge].z - 0.5 * (normal.x + normal.y) + slack);
+    }
+    //]
     for (int i = 0; i < count; i++) {
-        corner0 = c.corner0;
-        corner1 = c.corner1;
-        corner2 = c.corner2;
-        plane = c.plane;
-        base = c.base;
+#ifdef ANY_DEPTH
+        base = ivec4(c.first, listed[0]);
+#else
+        columns = c;
+#endif
         // a convex polygon as a strip: 0, 1, last, 2, last - 1, …
-        vec2 p = polygon[(i & 1) == 1 ? (i + 1) / 2 : (count - i / 2) % count] - grid_low.xy;
-        gl_Position = vec4(2.0 * p / (grid_high.xy - grid_low.xy) - 1.0, 0.0, 1.0);
+        vec2 p = polygon[(i & 1) == 1 ? (i + 1) / 2 : (count - i / 2) % count] + vec2(c.first.xy);
+        gl_Position = vec4(2.0 * p / vec2(TURN(grid_size, axis).xy) - 1.0, 0.0, 1.0);
         EmitVertex();
     }
 }

@@ -15,30 +15,26 @@ void main()
     dvec3 p0 = triangle_corner(triangle, 0u);
     int axis = dominant_axis(cross(triangle_corner(triangle, 1u) - p0, triangle_corner(triangle, 2u) - p0));
     Columns c = columns_of(triangle, axis);
-    vec2 lower = min(c.corner0.xy, min(c.corner1.xy, c.corner2.xy)) - SLACK;
-    vec2 upper = max(c.corner0.xy, max(c.corner1.xy, c.corner2.xy)) + SLACK;
-    ivec2 first = max(ivec2(floor(lower)), -c.base.xy);
-    ivec2 last = min(ivec2(floor(upper)), TURN(grid_size, axis).xy - 1 - c.base.xy);
-    if (any(lessThan(last, first)))
+    if (any(lessThan(c.last, c.first)))
         return;
     // One loop over all voxels, not three nested ones: invocations run in step, and each waits for the longest in every loop.
-    ivec2 column = first;
-    ivec2 span = column_span(c, column, axis);
+    ivec2 column = ivec2(0), last = c.last.xy - c.first.xy;
+    ivec2 span = column_span(c, column);
     int depth = span.x;
     while (true) {
         if (depth <= span.y) {
-            if (touches(c, ivec3(column, depth), column_extent(c, column, span), axis))
-                voxel_found(TURN_BACK(c.base.xyz + ivec3(column, depth), axis), triangle);
+            if (touches(c, ivec3(column, depth), axis))
+                voxel_found(TURN_BACK(c.first + ivec3(column, depth), axis), triangle);
             depth++;
         }
         if (depth > span.y) {
             column.x++;
             if (column.x > last.x) {
-                column.x = first.x;
+                column.x = 0;
                 if (++column.y > last.y)
                     break;
             }
-            span = column_span(c, column, axis);
+            span = column_span(c, column);
             depth = span.x;
         }
     }
