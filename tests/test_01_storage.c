@@ -168,6 +168,12 @@ Test(storage, stored_colours_and_normals_look_as_their_truth)
                   beyond(&ran, cases[i].step));
         ran_free(&ran);
     }
+    // the inside and its shadow, by rays from every centre; nothing is stored
+    Ran shadow = run_chapter("--scene balls --set resolution=24 --set method=solid --set shadow=-y "
+                             "--set region_upper=1,1,0.45",
+                             true);
+    cr_assert(beyond(&shadow, 0) < 0.005, "%g", beyond(&shadow, 0));
+    ran_free(&shadow);
     // listing 4.9 on the wall of equal means: of 256 voxels those with few fragments, and with few beyond 256, are right, the others dark
     Ran average =
         run_chapter("--scene averages --set resolution=16 --set show=albedo --set storage=average", true);

@@ -1,35 +1,13 @@
 // judge: see judge.h.
 #include "judge.h"
+#include "extra.h"
 #include "attributes_truth.h"
 #include "scenes.h"
 #include "solid_scenes.h"
+#include "solid_truth.h"
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
-
-// The truth's gap of one voxel: that of its nearest triangle.
-static double voxel_gap(const Mesh *mesh, const VoxelGrid *grid, const int voxel[3])
-{
-    double least = INFINITY;
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        float corners[9];
-        for (size_t k = 0; k < 9; k++)
-            corners[k] = mesh->positions[3 * (size_t)mesh->indices[3 * i + k / 3] + k % 3];
-        least = fmin(least, truth_voxel_gap(corners, grid, voxel));
-    }
-    return least;
-}
-
-static double extra_gap(const Mesh *mesh, const VoxelGrid *grid, const uint32_t *got, const uint32_t *truth)
-{
-    double most = 0.0;
-    const size_t row = (size_t)grid->size[0], column = (size_t)grid->size[1];
-    for (size_t i = 0; i < grid_voxels(grid); i++)
-        if ((got[i >> 5] & ~truth[i >> 5]) >> (i & 31) & 1) {
-            const int voxel[3] = {(int)(i % row), (int)(i / row % column), (int)(i / row / column)};
-            most = fmax(most, voxel_gap(mesh, grid, voxel));
-        }
-    return most;
-}
 
 void judge_surface(Run *run, const Mesh *mesh, const Voxels *voxels, double fragments, double invocations)
 {
@@ -95,42 +73,65 @@ void judge_solid(Run *run, const SolidMesh *solid, const SolidWork *work, double
     free(got);
 }
 
-// What WALK_ALBEDO and WALK_MEAN_NORMALS show of each true voxel; NULL for another show.
-static vec3 *true_values(const Scene *scene, const VoxelGrid *grid, WalkShow show)
+// What WALK_ALBEDO and WALK_MEAN_NORMALS show of each voxel of `bits`, in their order; NULL for another show. Inside a solid no triangle
+// touches: stone, no direction.
+static vec3 *true_values(const Scene *scene, const VoxelGrid *grid, WalkShow show, const uint32_t *bits)
 {
     if (show != WALK_ALBEDO && show != WALK_MEAN_NORMALS)
         return NULL;
-    size_t count;
+    size_t count, mean = 0, value = 0;
     TrueMean *means = attributes_truth(scene, grid, &count);
-    vec3 *values = memory_new(count + 1, sizeof *values, "true attributes");
-    for (size_t i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++)
-            values[i][k] = (float)(show == WALK_ALBEDO ? means[i].albedo[k] : means[i].normal[k]);
+    uint32_t *surface = truth_voxels(&scene->mesh, grid);
+    vec3 *values =
+        memory_new((size_t)voxels_count(bits, NULL, grid_words(grid)) + 1, sizeof *values, "true attributes");
+    for (size_t i = 0; i < grid_voxels(grid); i++) {
+        const bool touched = surface[i >> 5] >> (i & 31) & 1;
+        if (bits[i >> 5] >> (i & 31) & 1) {
+            vec3 here = show == WALK_ALBEDO ? vec3_make(0.95f, 0.90f, 0.82f) : vec3_make(0, 0, 0);
+            for (int k = 0; k < 3 && touched; k++)
+                here[k] = (float)(show == WALK_ALBEDO ? means[mean].albedo[k] : means[mean].normal[k]);
+            values[value++] = here;
+        }
+        mean += touched;
+    }
+    free(surface);
     free(means);
     return values;
+}
+
+// The bits that the picture shows.
+static uint32_t *true_voxels(const Scene *scene, const VoxelGrid *grid, TrueVoxels of)
+{
+    uint32_t *bits = of.solid ? solid_truth(&scene->mesh, grid) : truth_voxels(&scene->mesh, grid);
+    if (strcmp(of.shadow, "none") == 0)
+        return bits;
+    uint32_t *shadow = shadow_truth(bits, grid, of.shadow);
+    free(bits);
+    return shadow;
 }
 
 // walk_truth's colours are part of the truth: compiled anew, it is computed anew.
 static const char compiled[] = __DATE__ " " __TIME__;
 
-Image judge_truth(const Scene *scene, const VoxelGrid *grid, WalkShow show, const Camera *camera, int width,
-                  int height)
+Image judge_truth(const Scene *scene, const VoxelGrid *grid, TrueVoxels of, WalkShow show,
+                  const Camera *camera, int width, int height)
 {
     const float view[] = {camera->eye[0],    camera->eye[1],          camera->eye[2], camera->target[0],
                           camera->target[1], camera->target[2],       camera->up[0],  camera->up[1],
                           camera->up[2],     camera->vertical_fov_rad};
-    const int numbers[] = {grid->size[0], grid->size[1], grid->size[2], (int)show, width, height};
+    const int numbers[] = {grid->size[0], grid->size[1], grid->size[2], (int)show, width, height, of.solid};
     uint64_t inputs = hash_bytes(truth_hash_scene(scene), compiled, sizeof compiled);
     inputs = hash_bytes(hash_bytes(inputs, view, sizeof view), numbers, sizeof numbers);
     inputs =
         hash_bytes(hash_bytes(inputs, grid->origin, sizeof grid->origin), &grid->voxel_size, sizeof(double));
+    inputs = hash_bytes(inputs, of.shadow, strlen(of.shadow));
     char *path = truth_cache_path("01_voxelization", inputs, ".exr");
     Image truth;
     if (access(path, R_OK) == 0) {
         truth = image_read(path);
     } else {
-        uint32_t *bits = truth_voxels(&scene->mesh, grid);
-        vec3 *values = true_values(scene, grid, show);
+        uint32_t *bits = true_voxels(scene, grid, of);
+        vec3 *values = true_values(scene, grid, show, bits);
         truth = walk_truth(bits, grid, show, values, camera, width, height);
         image_write(path, &truth, 0.0f);
         free(values);

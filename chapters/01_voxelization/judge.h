@@ -19,8 +19,14 @@ void judge_solid(Run *run, const SolidMesh *solid, const SolidWork *work, double
 //   albedo, albedo_worst, albedo_bias   of a display's 255 steps (attributes_truth.h); stored_bytes: beside the bits
 void judge_attributes(Run *run, const Attributes *stored, bool averaged);
 
-// walk_truth of the true voxels, kept under out/truth: the same view again costs reading a file.
-Image judge_truth(const Scene *scene, const VoxelGrid *grid, WalkShow show, const Camera *camera, int width,
-                  int height);
+// Which voxels a picture's truth shows: those that the surface touches or those whose centres are inside; or ("x", "-x", … but "none") what is
+// in their shadow.
+typedef struct TrueVoxels {
+    bool solid;
+    const char *shadow;
+} TrueVoxels;
+// walk_truth of them, kept under out/truth: the same view again costs reading a file.
+Image judge_truth(const Scene *scene, const VoxelGrid *grid, TrueVoxels of, WalkShow show,
+                  const Camera *camera, int width, int height);
 
 #endif

@@ -311,11 +311,9 @@ int main(int argc, char **argv)
             run_step(run, "walk", texture[WALK]);
             //]
 
-            if (run_truth_wanted(run) && (filled || shadowed))
-                fail_request(
-                    "--truth: solids and shadows have no picture of their truth; ask for a surface's");
             if (run_truth_wanted(run)) {
-                Image truth = judge_truth(scene, &grid, show, &camera, width, height);
+                TrueVoxels of = {filled, run_choice(run, "shadow")};
+                Image truth = judge_truth(scene, &grid, of, show, &camera, width, height);
                 run_truth(run, &truth);
                 image_free(&truth);
             }
