@@ -79,3 +79,52 @@ void scenes_make_beam(Scene *scene, uint64_t seed)
     (void)seed;
     mesh_add_box(&scene->mesh, vec3_make(0, 0, 0), vec3_make(3, 500, 7), begin(scene));
 }
+
+// Each face of an octahedron in `parts`² triangles, their corners moved out to a ball of 7.5 m.
+static void make_sphere(Scene *scene, uint32_t parts)
+{
+    const uint32_t material = begin(scene);
+    for (int face = 0; face < 8; face++) {
+        const vec3 sign =
+            vec3_make(face & 1 ? -1.0f : 1.0f, face & 2 ? -1.0f : 1.0f, face & 4 ? -1.0f : 1.0f);
+        const uint32_t first = (uint32_t)scene->mesh.vertex_count,
+                       turn = (uint32_t)(face ^ face >> 1 ^ face >> 2) & 1;
+        for (uint32_t i = 0; i <= parts; i++)
+            for (uint32_t j = 0; j <= i; j++) { // row i of i + 1 corners
+                vec3 out = vec3_normalize(sign * vec3_make((float)(parts - i), (float)(i - j), (float)j));
+                mesh_add_vertex(&scene->mesh, vec3_make(8, 8, 8) + 7.5f * out, out);
+            }
+        for (uint32_t i = 0; i < parts; i++)
+            for (uint32_t j = 0; j <= 2 * i; j++) {
+                const uint32_t above = first + i * (i + 1) / 2 + j / 2, below = above + i + 1;
+                // pointing up: above, below, below + 1; pointing down: above, below + 1, above + 1
+                const uint32_t second = j % 2 ? below + 1 : below, third = j % 2 ? above + 1 : below + 1;
+                mesh_add_triangle(&scene->mesh, above, turn ? third : second, turn ? second : third,
+                                  material);
+            }
+    }
+}
+
+void scenes_make_sphere_1000(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_sphere(scene, 11);
+}
+
+void scenes_make_sphere_10000(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_sphere(scene, 35);
+}
+
+void scenes_make_sphere_100000(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_sphere(scene, 112);
+}
+
+void scenes_make_sphere_1000000(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_sphere(scene, 354);
+}

@@ -10,5 +10,10 @@ void scenes_make_speck(Scene *scene, uint64_t seed);
 void scenes_make_crowd(Scene *scene, uint64_t seed);
 void scenes_make_edge(Scene *scene, uint64_t seed);
 void scenes_make_beam(Scene *scene, uint64_t seed);
+// 8 · 11², 35², 112² and 354² triangles
+void scenes_make_sphere_1000(Scene *scene, uint64_t seed);
+void scenes_make_sphere_10000(Scene *scene, uint64_t seed);
+void scenes_make_sphere_100000(Scene *scene, uint64_t seed);
+void scenes_make_sphere_1000000(Scene *scene, uint64_t seed);
 
 #endif
