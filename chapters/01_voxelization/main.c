@@ -333,7 +333,7 @@ int main(int argc, char **argv)
             judge_solid(run, &solid, &inside, fragments, invocations);
         else if (run_measuring_error(run) || run_checking(run))
             judge_surface(run, &scene->mesh, chosen, fragments, invocations);
-        if (run_measuring_error(run) && exact && strcmp(storage, "occupancy") != 0) {
+        if ((run_measuring_error(run) || run_checking(run)) && exact && strcmp(storage, "occupancy") != 0) {
             if (listed) {
                 const Fragments from = {&voxelizer, &mesh, &lists};
                 fragment_list_sum(&attributer, &from, &stored);

@@ -2,21 +2,43 @@
 #include "rows.h"
 
 // clang-format off
+// A resolution's rows stand together, and exact beside raster, so that what is compared was measured within the same minute.
 #define SWEEP(method, resolution) {method, NULL, "method=" method " resolution=" #resolution, NULL},
-#define SWEEPS(method)                                                                                       \
-    SWEEP(method, 16) SWEEP(method, 32) SWEEP(method, 64) SWEEP(method, 128) SWEEP(method, 256) SWEEP(method, 512)
+#define SWEEP_FAST(resolution)                                                                               \
+    SWEEP("raster", resolution) SWEEP("exact", resolution) SWEEP("threepass", resolution)                    \
+    SWEEP("msaa", resolution) SWEEP("expanded", resolution) SWEEP("binary", resolution) SWEEP("solid", resolution)
+#define SWEEP_ALL(resolution)                                                                                \
+    SWEEP_FAST(resolution) SWEEP("slicing", resolution) SWEEP("peeling", resolution)
+// How time and fragments grow with the triangles of one shape.
+#define GROW(method, scene) {method, scene, "method=" method " resolution=128", NULL},
+#define GROW_FAST(scene)                                                                                     \
+    GROW("raster", scene) GROW("exact", scene) GROW("threepass", scene) GROW("msaa", scene)                  \
+    GROW("expanded", scene) GROW("binary", scene) GROW("solid", scene)
+#define GROW_ALL(scene) GROW_FAST(scene) GROW("slicing", scene) GROW("peeling", scene)
+#define STORES(storage, resolution)                                                                          \
+    {"exact " storage, NULL, "method=exact storage=" storage " resolution=" #resolution, NULL},
 const RunRow voxel_sweep[] = {
-    SWEEPS("raster") SWEEPS("threepass") SWEEPS("slicing") SWEEPS("peeling") SWEEPS("msaa")
-    SWEEPS("expanded") SWEEPS("binary") SWEEPS("exact") SWEEPS("solid")
+    // Without rows that would take most of the time of all: 512 slices or as many layers of the whole mesh along three axes.
+    SWEEP_ALL(16) SWEEP_ALL(32) SWEEP_ALL(64) SWEEP_ALL(128) SWEEP_ALL(256) SWEEP_FAST(512)
+    GROW_ALL("sphere_1000") GROW_ALL("sphere_10000") GROW_ALL("sphere_100000") GROW_FAST("sphere_1000000")
+    STORES("attributes", 64) STORES("list", 64) STORES("average", 64)
+    STORES("attributes", 128) STORES("list", 128) STORES("average", 128)
+    STORES("attributes", 256) STORES("list", 256) STORES("average", 256)
     {NULL, NULL, NULL, NULL},
 };
 
-// The cases that are hard for other methods than exact: 10⁶ triangles in a voxel, an edge along a grid line, a grid of 3 × 500 × 7, one of 1³.
+// What may break any method: nothing at all, a point, less than a voxel, 10⁶ triangles in a voxel, an edge along a grid line, grids of 3 × 500 × 7
+// and of 1³, scales of 10⁶ and 10⁻⁶ m.
 #define HARD(method)                                                                                         \
+    {method " empty", "empty", "method=" method " resolution=16", NULL},                                     \
+    {method " one point", "point", "method=" method " resolution=16", NULL},                                 \
+    {method " smaller than a voxel", "speck", "method=" method " resolution=16", NULL},                      \
     {method " crowd", "crowd", "method=" method " resolution=16", NULL},                                     \
     {method " edge", "edge", "method=" method " resolution=16", NULL},                                       \
     {method " beam", "beam", "method=" method " resolution=500", NULL},                                      \
-    {method " one voxel", "cube", "method=" method " resolution=1", NULL},
+    {method " one voxel", "cube", "method=" method " resolution=1", NULL},                                   \
+    {method " huge", "huge", "method=" method " resolution=64", NULL},                                       \
+    {method " tiny", "tiny", "method=" method " resolution=64", NULL},
 const RunRow voxel_stability[] = {
     {"cube 16", "cube", "method=exact resolution=16", NULL},
     {"cube 32", "cube", "method=exact resolution=32", NULL},
@@ -41,6 +63,9 @@ const RunRow voxel_stability[] = {
     {"edge", "edge", "method=exact resolution=16", NULL},
     {"beam", "beam", "method=exact resolution=500", NULL},
     HARD("raster") HARD("threepass") HARD("slicing") HARD("peeling") HARD("msaa") HARD("expanded") HARD("binary")
+    {"attributes crowd", "crowd", "method=exact storage=attributes resolution=16", NULL},
+    {"list crowd", "crowd", "method=exact storage=list resolution=16", NULL},
+    {"attributes averages", "averages", "method=exact storage=attributes resolution=16", NULL},
     {"ball", "ball", "method=solid resolution=128", NULL},
     {"ball inside out", "ball_inside_out", "method=solid resolution=128", NULL},
     {"ball twice", "ball_twice", "method=solid resolution=128", NULL},
