@@ -159,6 +159,9 @@ double scenes_voxels(const char *stability_case)
         {"empty", 0},
         {"one point", 0},
         {"smaller than a voxel", 3}, // its own, and one a grain
+        {"binary empty", 0},
+        {"binary one point", 0},
+        {"binary smaller than a voxel", 3},
         {"crowd", 3},
         {"binary crowd", 3},
         {"edge", 42}, // four voxels round each metre of the line, one more beyond either end, the grains
