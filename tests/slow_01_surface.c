@@ -1,7 +1,8 @@
 // 01 voxelization, surface methods, slow: the inclusions on larger grids, every cube, a million triangles in a voxel, and the memory of 512³.
+#include "stability_table.h"
 #include "surface_bench.h"
 
-#include "measure.h"
+#include <unistd.h>
 
 #define INCLUSIONS(scene)                                                                                    \
     Test(slow_surface, methods_include_one_another_on_##scene)                                               \
@@ -31,18 +32,47 @@ Test(slow_surface, a_million_triangles_in_one_voxel_set_it_once)
     }
 }
 
-// Four grids of 512³, as the program holds, and everything else in one process.
-Test(slow_surface, occupancy_of_512_cubed_takes_16_mib_and_the_process_less_than_512)
+Test(slow_surface, the_whole_stability_table_passes, .timeout = 600)
 {
-    SurfaceBench bench = surface_bench_open("cube");
-    VoxelGrid grid = scene_grid(bench.scene, 512);
-    Voxels voxels[4];
-    for (int i = 0; i < 4; i++)
-        voxels[i] = voxels_create(&grid, "memory");
-    cr_assert_eq(voxels[0].bytes, (size_t)16 << 20, "%zu bytes", voxels[0].bytes);
-    draw_exact(&bench, &voxels[0]);
-    uint32_t *bits = voxels_read(&voxels[0]);
-    cr_assert(bits_count(bits, &grid) > 6 * 500 * 500, "nothing was found");
-    free(bits);
-    cr_assert_leq(measure_peak_bytes(), (size_t)512 << 20, "peak %zu bytes", measure_peak_bytes());
+    check_stability_table("", 160);
+}
+
+// A plan's number after the first `name` behind `from`.
+static double plan_number(const char *plan, const char *from, const char *name)
+{
+    const char *at = strstr(plan, from);
+    at = at ? strstr(at, name) : NULL;
+    cr_assert(at, "%s of %s is not in %s", name, from, plan);
+    return strtod(at + strlen(name) + strlen("\":"), NULL);
+}
+
+// The program as a user runs it. A grid of the bunny's shape is smaller than the cube of 512³, whose bits are 16 MiB.
+static void check_memory(const char *scene, double bytes)
+{
+    const char *build = getenv("BUILD");
+    char *path = text_format("/tmp/memory-%d", (int)getpid());
+    char *command = text_format("%s/01_voxelization --scene %s --set resolution=512 --size 256x256 --out "
+                                "%s.png --plan --json >%s.json",
+                                build ? build : "build", scene, path, path);
+    cr_assert_eq(system(command), 0, "%s fails", command);
+    char *json = text_format("%s.json", path), *png = text_format("%s.png", path),
+         *plan = file_read(json, NULL);
+    double grid = plan_number(plan, "\"walk\"", "grid_bytes"),
+           peak = plan_number(plan, "\"walk\"", "peak_bytes");
+    cr_assert(bytes > 0 ? grid == bytes : grid < 16 << 20, "%s: %g bytes of bits", scene, grid);
+    cr_assert(peak <= 512 << 20, "%s: a peak of %g MiB", scene, peak / (1 << 20));
+    unlink(json);
+    unlink(png);
+    free(path);
+    free(command);
+    free(json);
+    free(png);
+    free(plan);
+}
+Test(slow_surface, occupancy_of_512_cubed_takes_16_mib_and_the_program_less_than_512)
+{
+    check_memory("cube", 16 << 20);
+    check_memory("bunny", 0);
+    check_memory("cornell", 0);
+    check_memory("colonnade", 0);
 }
