@@ -108,3 +108,29 @@ Test(average, the_printed_average_counts_to_255)
     }
     scene_close(scene);
 }
+
+// The lesson's table, cell by cell: of values in three known orders, what is left after so many (−1: a count of 0 says that there are none).
+Test(average, the_table_of_the_lesson)
+{
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    shader_search_first("tests/data");
+    const struct {
+        size_t count;
+        int mean[3];
+    } rows[] = {{2, {128, 127, 127}}, {10, {126, 125, 126}}, {50, {114, 115, 119}}, {100, {100, 99, 108}},
+                {200, {100, 77, 96}}, {255, {100, 49, 86}},  {256, {100, 49, 85}},  {257, {100, 0, 0}}};
+    for (size_t row = 0; row < sizeof rows / sizeof *rows; row++)
+        for (int order = 0; order < 3; order++) {
+            const size_t count = rows[row].count;
+            float values[257];
+            int mean, fragments;
+            for (size_t i = 0; i < count; i++)
+                values[i] = order == 0   ? (i % 2 ? 156.5f : 100.5f) / 255.0f
+                            : order == 1 ? (i % 2 ? 1.0f : 0.0f)
+                                         : (i < (count + 1) / 2 ? 1.0f : 0.0f);
+            average(values, count, &mean, &fragments);
+            cr_expect(mean == rows[row].mean[order] && fragments == (int)(count % 256),
+                      "order %d, %zu values: %d of %d, %d counted", order, count, mean, rows[row].mean[order],
+                      fragments);
+        }
+}

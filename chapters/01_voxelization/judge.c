@@ -43,7 +43,7 @@ void judge_surface(Run *run, const Mesh *mesh, const Voxels *voxels, double frag
     free(truth);
 }
 
-void judge_attributes(Run *run, const Attributes *stored, bool averaged)
+void judge_attributes(Run *run, const Attributes *stored, bool averaged, size_t bytes)
 {
     AttributesError error = attributes_error(run_scene(run), stored, averaged);
     if (run_checking(run)) { // half a step of 1/1023, in those of a display
@@ -53,7 +53,7 @@ void judge_attributes(Run *run, const Attributes *stored, bool averaged)
     run_error(run, "truth", "albedo", error.mean);
     run_error(run, "truth", "albedo_worst", error.worst);
     run_error(run, "truth", "albedo_bias", error.bias);
-    run_error(run, "counted", "stored_bytes", (double)attributes_bytes(stored));
+    run_error(run, "counted", "stored_bytes", (double)bytes);
 }
 
 // Of a solid: how far its voxels' volume is from the mesh's own (divergence theorem), or from the closed form of a stability case.

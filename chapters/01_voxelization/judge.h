@@ -16,8 +16,8 @@ void judge_surface(Run *run, const Mesh *mesh, const Voxels *voxels, double frag
 void judge_solid(Run *run, const SolidMesh *solid, const SolidWork *work, double fragments,
                  double invocations);
 // The rows of a sweep, or the check of a stability case, for what `stored` holds of the voxels: sums, or listing 4.9's averages.
-//   albedo, albedo_worst, albedo_bias   of a display's 255 steps (attributes_truth.h); stored_bytes: beside the bits
-void judge_attributes(Run *run, const Attributes *stored, bool averaged);
+//   albedo, albedo_worst, albedo_bias   of a display's 255 steps (attributes_truth.h); stored_bytes: `bytes`, beside the bits
+void judge_attributes(Run *run, const Attributes *stored, bool averaged, size_t bytes);
 
 // Which voxels a picture's truth shows: those that the surface touches or those whose centres are inside; or ("x", "-x", … but "none") what is
 // in their shadow.

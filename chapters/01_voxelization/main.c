@@ -334,11 +334,12 @@ int main(int argc, char **argv)
         else if (run_measuring_error(run) || run_checking(run))
             judge_surface(run, &scene->mesh, chosen, fragments, invocations);
         if ((run_measuring_error(run) || run_checking(run)) && exact && strcmp(storage, "occupancy") != 0) {
+            const size_t bytes = attributes_bytes(&stored);
             if (listed) {
                 const Fragments from = {&voxelizer, &mesh, &lists};
                 fragment_list_sum(&attributer, &from, &stored);
             }
-            judge_attributes(run, &stored, averages);
+            judge_attributes(run, &stored, averages, bytes);
         }
         attributes_delete(&stored);
         if (fill) {

@@ -2,7 +2,7 @@
 #include "solid_scenes.h"
 #include <string.h>
 
-// Facets take 0.07 % off the volume.
+// Facets take 0.045 % off the volume.
 enum { MERIDIANS = 192, PARALLELS = 96 };
 static const double PI = 3.14159265358979323846;
 static const double BALL = 7.5, SMALL_BALL = 5.0, APART = 6.0;
