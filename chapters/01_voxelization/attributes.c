@@ -144,10 +144,18 @@ static void clear_sums(Attributes *attributes)
     attributes->sums = make_room("attributes' sums", attributes->slots, SUMS_A_VOXEL * sizeof(uint32_t));
 }
 
+// A triangle is one fragment of a voxel, so only a scene of more triangles can fill a voxel with more than a sum holds.
+static void check_sums(const RasterMesh *mesh, const Attributes *attributes)
+{
+    if ((uint32_t)mesh->index_count / 3 > ATTRIBUTES_MOST)
+        free(attributes_read(attributes));
+}
+
 void attributes_sum(const Attributer *attributer, const Fragments *from, Attributes *attributes)
 {
     clear_sums(attributes);
     each_fragment(attributer, from, attributes, SUMS);
+    check_sums(from->mesh, attributes);
 }
 
 void attributes_average(const Attributer *attributer, const Fragments *from, Attributes *attributes)
@@ -203,6 +211,7 @@ void fragment_list_sum(const Attributer *attributer, const Fragments *from, Attr
     shader_set_uint(attributer->list_sums, "fragment_total", (uint32_t)attributes->capacity);
     voxelize_dispatch((uint32_t)attributes->capacity);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    check_sums(from->mesh, attributes);
 }
 
 // ---------------------------------------------------------------- what the host reads

@@ -46,6 +46,7 @@ typedef struct Fragments {
     const TriangleLists *lists;
 } Fragments;
 
+// This and fragment_list_sum end the program (status 1) where a voxel has more than ATTRIBUTES_MOST fragments.
 void attributes_sum(const Attributer *attributer, const Fragments *from, Attributes *attributes);
 void attributes_average(const Attributer *attributer, const Fragments *from, Attributes *attributes);
 // Count, and make room: ends the program (status 1), naming the bytes needed, where a buffer cannot hold the list. Returns the count.

@@ -1,5 +1,5 @@
 // shadow_volume: which voxels are in shadow of a light that shines along an axis? Those with a set voxel at or before them: a prefix OR
-// along the axis (Wyman 2011, section 3 and figure 2, in Cartesian space). Of a conservative grid it holds every shadowed point, and the surface
+// along the axis (Wyman 2011, section 2 and figure 2, in Cartesian space). Of a conservative grid it holds every shadowed point, and the surface
 // itself; of a solid, the voxels whose centres are shadowed.
 #ifndef SHADOW_VOLUME_H
 #define SHADOW_VOLUME_H
