@@ -9,6 +9,8 @@
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 typedef enum Method { RASTER, THREEPASS, SLICING, PEELING, MSAA, EXPANDED, BINARY, EXACT, METHODS } Method;
 static const char *const method_names[METHODS] = {"raster", "threepass", "slicing", "peeling",
@@ -208,4 +210,29 @@ static inline void check_cubes(int from, int step)
         raster_mesh_delete(&bench.gpu);
     }
 }
+
+// llvmpipe reads LP_NUM_THREADS when a context is made: one process a count. The bits of every method.
+static inline uint64_t hash_with_threads(const char *scene, const char *threads)
+{
+    int ends[2];
+    uint64_t hash = 0;
+    cr_assert_eq(pipe(ends), 0, "no pipe");
+    pid_t child = fork();
+    if (child == 0) {
+        setenv("LP_NUM_THREADS", threads, 1);
+        SurfaceBench bench = surface_bench_open(scene);
+        VoxelGrid grid = scene_grid(bench.scene, 32);
+        hash = HASH_START;
+        for (int m = 0; m < METHODS; m++)
+            hash = hash_bytes(hash, bits_by(&bench, (Method)m, &grid), 4 * grid_words(&grid));
+        _exit(write(ends[1], &hash, sizeof hash) != sizeof hash);
+    }
+    close(ends[1]);
+    cr_assert_eq(read(ends[0], &hash, sizeof hash), (ssize_t)sizeof hash, "%s threads: nothing came out",
+                 threads);
+    close(ends[0]);
+    waitpid(child, NULL, 0);
+    return hash;
+}
+
 #endif
