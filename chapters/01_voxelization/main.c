@@ -220,7 +220,8 @@ int main(int argc, char **argv)
                                                  "exact: small"};
             for (int list = 0; list < LIST_COUNT; list++)
                 if (run_pass(run, passes[list], find && lists.count[list] > 0, find ? EMPTY_LIST : why_not))
-                    voxelize_list(&voxelizer, &mesh, &lists, list, &voxels[EXACT]);
+                    run_count(run, "in_double",
+                              voxelize_list(&voxelizer, &mesh, &lists, list, &voxels[EXACT]));
             //]
 
             //[storage
