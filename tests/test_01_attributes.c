@@ -65,7 +65,8 @@ static uint64_t *truth_fragments(const Scene *scene, const VoxelGrid *grid, size
             }
         free(bits);
     }
-    qsort(pairs, *count, sizeof *pairs, by_pair);
+    if (pairs)
+        qsort(pairs, *count, sizeof *pairs, by_pair);
     return pairs;
 }
 

@@ -163,13 +163,12 @@ static Crossings cross(const Truth *rays, const VoxelGrid *grid, vec3 from, int 
     Crossings crossings = {0};
     vec3 way = {0};
     way[axis] = 1;
-    double at = (double)from[axis];
     uint32_t last = UINT32_MAX;
     while (crossings.count < 64) {
         TruthHit hit = truth_ray(rays, from, way);
         if (!isfinite(hit.distance))
             break;
-        at = (double)from[axis] + (double)hit.distance;
+        double at = (double)from[axis] + (double)hit.distance;
         if (hit.triangle != last)
             crossings.depth[crossings.count++] = (at - grid->origin[axis]) / grid->voxel_size;
         last = hit.triangle;

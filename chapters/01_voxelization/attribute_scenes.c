@@ -27,7 +27,8 @@ void make_averages(Scene *scene, uint64_t seed)
         materials[i] = scene_add_material(scene, i == 0 ? "dark" : "light",
                                           vec3_make(values[i], values[i], values[i]), vec3_make(0, 0, 0));
     for (int voxel = 0; voxel < SIDE * SIDE; voxel++) {
-        vec3 at = vec3_make((float)(voxel % SIDE), (float)(voxel / SIDE), 0);
+        const int row = voxel / SIDE;
+        vec3 at = vec3_make((float)(voxel % SIDE), (float)row, 0);
         const int count = 2 * (voxel + 1), end = voxel + 1 == SIDE * SIDE ? count - 1 : -1;
         for (int i = 0; i < count; i++)
             add_triangle(&scene->mesh, at, voxel == 0 && i == 0, i == end, materials[i % 2]);

@@ -36,8 +36,8 @@ uint32_t *solid_truth(const Mesh *mesh, const VoxelGrid *grid)
     uint32_t *bits = memory_new(grid_words(grid), sizeof *bits, "the true solid");
     const size_t row = (size_t)grid->size[0], column = (size_t)grid->size[1];
     for (size_t i = 0; i < grid_voxels(grid); i++) {
-        vec3 centre = vec3_make((float)(i % row) + 0.5f, (float)(i / row % column) + 0.5f,
-                                (float)(i / row / column) + 0.5f);
+        const size_t at[3] = {i % row, i / row % column, i / row / column};
+        vec3 centre = vec3_make((float)at[0] + 0.5f, (float)at[1] + 0.5f, (float)at[2] + 0.5f);
         int inside = 0;
         for (int d = 0; d < DIRECTIONS; d++)
             inside +=
