@@ -270,7 +270,7 @@ Test(solid, every_column_of_a_closed_mesh_is_crossed_an_even_number_of_times)
 {
     Scene *scene = open_empty();
     uint32_t state = 7;
-    for (int solid = 0; solid < 3000; solid++) {
+    for (int solid = 0; solid < 1000; solid++) {
         uint32_t corner[4];
         for (int c = 0; c < 4; c++) {
             vec3 p = {0};
