@@ -80,6 +80,7 @@ bool run_setting(Run *run)
     run->frame = -1;
     run->frames_begun = 0;
     RunTask task = run->setting->task;
+    run->repeats = RUN_REPEATS;
     int frames = run->frames ? run->frames : run->path ? PATH_FRAMES : 1;
     run->warm_up = task == RUN_SWEEP ? WARM_UP + RUN_REPEATS : run->plan ? WARM_UP : 0;
     run->frames_wanted = run->warm_up + (task == RUN_STABILITY             ? 1
@@ -146,6 +147,16 @@ static void picture_end(Run *run, bool last)
     }
 }
 
+// After the last frame of warm-up, which compiles nothing any more: slow frames are repeated less.
+static void repeats_choose(Run *run)
+{
+    if (run_plan_ms(run, true) < RUN_SLOW_MS)
+        return;
+    run->repeats = RUN_REPEATS_SLOW;
+    run->warm_up -= RUN_REPEATS - RUN_REPEATS_SLOW;
+    run->frames_wanted -= RUN_REPEATS - RUN_REPEATS_SLOW;
+}
+
 // Whether another frame follows.
 static bool frame_end(Run *run)
 {
@@ -153,7 +164,9 @@ static bool frame_end(Run *run)
     int index = run->frames_begun - 1, repeat = index - WARM_UP;
     run_plan_end_pass(run);
     gl_check("the frame");
-    if (task == RUN_SWEEP && repeat >= 0 && repeat < RUN_REPEATS) {
+    if (task == RUN_SWEEP && repeat == -1)
+        repeats_choose(run);
+    if (task == RUN_SWEEP && repeat >= 0 && repeat < (int)run->repeats) {
         run->technique_ms[repeat] = run_plan_ms(run, false);
         run->frame_ms[repeat] = run_plan_ms(run, true);
     }

@@ -34,6 +34,8 @@ typedef struct RunPass {
 } RunPass;
 
 enum { RUN_REPEATS = 7 }; // odd, so that the median is one of them; 3 of them may be disturbed
+// Frames of more than a second are disturbed by less of their time, and cost more: 3 of them do.
+enum { RUN_REPEATS_SLOW = 3, RUN_SLOW_MS = 1000 };
 
 typedef enum RunTask { RUN_PICTURE, RUN_SWEEP, RUN_STABILITY } RunTask;
 
@@ -104,6 +106,7 @@ struct Run {
 
     // Measuring.
     int warm_up, frames_wanted; // frames of this setting before those that count; and all together, 0: no end
+    size_t repeats;             // of this setting, which are measured
     double technique_ms[RUN_REPEATS], frame_ms[RUN_REPEATS];
     Image flicker_before; // picture minus truth of the last frame of --path
     double flicker_sum;

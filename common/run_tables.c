@@ -117,8 +117,8 @@ void run_error(Run *run, const char *reference, const char *metric, double error
 {
     if (isnan(error))
         fail_work("sweep row %s, scene %s: %s is not a number", run_case(run), run->scene_name, metric);
-    Statistics technique = measure_statistics(run->technique_ms, RUN_REPEATS);
-    Statistics frame = measure_statistics(run->frame_ms, RUN_REPEATS);
+    Statistics technique = measure_statistics(run->technique_ms, run->repeats);
+    Statistics frame = measure_statistics(run->frame_ms, run->repeats);
     char *settings = settings_text(run);
     row_write(run, RUN_SWEEP,
               text_format("%s\t%s\t%s\t%d\t%d\t%s\t%.4f\t%.4f\t%.4f\t%.4f\t%s\t%s\t%.9g", run->about->chapter,

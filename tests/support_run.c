@@ -42,7 +42,7 @@ static const RunParameter parameters[] = {
     {"resolution", "voxels a side", "voxels", RUN_INTEGER, 8, 512, {64}, NULL},
     {"alpha", "a share", NULL, RUN_NUMBER, 0, 1, {0.5}, NULL},
     {"shift", "a vector", "m", RUN_VECTOR, -1, 1, {0, 0.25, 0}, NULL},
-    {"fault", "what goes wrong", NULL, RUN_CHOICE, 0, 0, {0}, "none nan silent count step"},
+    {"fault", "what goes wrong", NULL, RUN_CHOICE, 0, 0, {0}, "none nan silent count step slow"},
     {0}};
 static const RunStep steps[] = {{"first", "rows"}, {"second", "the shader's"}, {"third", "the last"}, {0}};
 static const RunRow sweep[] = {{"brute", NULL, "method=raster resolution=8", NULL},
@@ -101,7 +101,7 @@ static int chapter(int argc, char **argv, FILE *trace)
         while (run_frame(run)) {
             fprintf(trace, "frame %d\n", run_frame_number(run));
             if (run_pass_common(run, "map", true, NULL)) {
-                usleep(3000);
+                usleep(run_chosen(run, "fault", "slow") ? 1001000 : 3000);
                 fill_rows(rows, width, height, run_chosen(run, "fault", "nan"));
             }
             run_step(run, "first", rows);

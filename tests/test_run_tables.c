@@ -98,6 +98,18 @@ static char *line_of(char *text, int index) // without its end
     return text_format("%.*s", (int)strcspn(text, "\n"), text);
 }
 
+Test(run_tables, sweep_repeats_slow_frames_less)
+{
+    Outcome got = fake_done("--sweep s.csv --set method=exact --set fault=slow");
+    cr_assert_eq(count_of(got.trace, "frame 0\n"), 2 + 3, "frames of a second: %s", got.trace);
+    char *row = line_of(rows_of("s.csv"), 1);
+    double ms[4];
+    cr_assert_eq(sscanf(strrchr(row, '"'), "\",%lf,%lf,%lf,%lf", &ms[0], &ms[1], &ms[2], &ms[3]), 4, "%s",
+                 row);
+    cr_assert(ms[1] >= 2 && ms[1] <= ms[0] && ms[0] <= ms[2] && ms[3] >= 1001, "of the three that ran: %s",
+              row);
+}
+
 Test(run_tables, sweep_runs_every_row_on_its_scenes_and_writes_medians)
 {
     Outcome got = fake_done("--size 8x8 --sweep s.csv --set alpha=0.25");

@@ -4,24 +4,20 @@
 // clang-format off
 // A resolution's rows stand together, and exact beside raster, so that what is compared was measured within the same minute.
 #define SWEEP(method, resolution) {method, NULL, "method=" method " resolution=" #resolution, NULL},
-#define SWEEP_FAST(resolution)                                                                               \
-    SWEEP("raster", resolution) SWEEP("exact", resolution) SWEEP("threepass", resolution)                    \
-    SWEEP("msaa", resolution) SWEEP("expanded", resolution) SWEEP("solid", resolution) SWEEP("binary", resolution)
 #define SWEEP_ALL(resolution)                                                                                \
-    SWEEP_FAST(resolution) SWEEP("slicing", resolution) SWEEP("peeling", resolution)
+    SWEEP("raster", resolution) SWEEP("exact", resolution) SWEEP("threepass", resolution)                    \
+    SWEEP("msaa", resolution) SWEEP("expanded", resolution) SWEEP("solid", resolution)                       \
+    SWEEP("binary", resolution) SWEEP("slicing", resolution) SWEEP("peeling", resolution)
 // How time and fragments grow with the triangles of one shape.
 #define GROW(method, scene) {method, scene, "method=" method " resolution=128", NULL},
-#define GROW_FAST(scene)                                                                                     \
+#define GROW_ALL(scene)                                                                                      \
     GROW("raster", scene) GROW("exact", scene) GROW("threepass", scene) GROW("msaa", scene)                  \
-    GROW("expanded", scene) GROW("solid", scene)
-#define GROW_ALL(scene) GROW_FAST(scene) GROW("binary", scene) GROW("slicing", scene) GROW("peeling", scene)
+    GROW("expanded", scene) GROW("solid", scene) GROW("binary", scene) GROW("slicing", scene) GROW("peeling", scene)
 #define STORES(storage, resolution)                                                                          \
     {"exact " storage, NULL, "method=exact storage=" storage " resolution=" #resolution, NULL},
 const RunRow voxel_sweep[] = {
-    // Without rows that would take most of the time of all: 512 slices or as many layers of the whole mesh along three axes, and methods that
-    // ask about every triangle along an axis that it does not face.
-    SWEEP_ALL(16) SWEEP_ALL(32) SWEEP_ALL(64) SWEEP_ALL(128) SWEEP_ALL(256) SWEEP_FAST(512)
-    GROW_ALL("sphere_1000") GROW_ALL("sphere_10000") GROW_ALL("sphere_100000") GROW_FAST("sphere_1000000")
+    SWEEP_ALL(16) SWEEP_ALL(32) SWEEP_ALL(64) SWEEP_ALL(128) SWEEP_ALL(256) SWEEP_ALL(512)
+    GROW_ALL("sphere_1000") GROW_ALL("sphere_10000") GROW_ALL("sphere_100000") GROW_ALL("sphere_1000000")
     STORES("attributes", 64) STORES("list", 64) STORES("average", 64)
     STORES("attributes", 128) STORES("list", 128) STORES("average", 128)
     STORES("attributes", 256) STORES("list", 256) STORES("average", 256)
