@@ -8,8 +8,10 @@
 
 typedef struct Attempt {
     const Entry *entry;
-    char *tree, *folder; // absolute; `folder` is the one that the children may write, and belongs to the attempt
-    char *build;         // absolute: where make has put libcommon.a, libtechniques.a and exercise_commands
+    char *tree;   // absolute, as the two below
+    char *folder; // the one that the children may write; it belongs to the attempt
+    char *given;  // FOLDER.given: the inputs, which they may read
+    char *build;  // where make has put libcommon.a, libtechniques.a and exercise_commands
 } Attempt;
 
 // `folder` is emptied. Ends the program where there is no tree or no build.
@@ -24,11 +26,11 @@ ConfineResult attempt_build(const Attempt *attempt, const char *const *flags);
 // Of a measure exercise the value is the answer that stands in its file.
 typedef struct Outcome {
     float *values;
-    char *why;            // NULL where there are values
-    bool machine_failed;  // `why` is not the program's fault: no GL to be had, no process could be made
-    char *text;           // what the program said
+    char *why;           // NULL where there are values
+    bool machine_failed; // `why` is not the program's fault: no process could be made
+    char *text;          // what the program said; of a measure exercise: what was predicted
     double seconds;
-    Input input;          // what it was given
+    Input input; // what it was given
 } Outcome;
 Outcome attempt_run(const Attempt *attempt, const Check *check, uint64_t seed);
 void outcome_free(Outcome *outcome);
