@@ -42,7 +42,10 @@ TESTS    := $(call objects,tests/test_*.c)
 SLOW     := $(call objects,tests/slow_*.c)
 SUPPORT  := $(call objects,tests/support*.c)
 TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/triangle.c))
-SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c)
+# The graders' programs, one main each; the rest of tests/grade/ is a library that they and the tests share.
+GRADERS  := grade margins course
+GRADE    := $(filter-out $(GRADERS:%=$(OBJ)/tests/grade/%.c.o),$(call objects,tests/grade/*.c))
+SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c)
 
 export BUILD
 export MESA_SHADER_CACHE_DIR := $(abspath $(if $(filter build/%,$(BUILD)),build,$(BUILD)))/mesa-cache
@@ -56,7 +59,7 @@ STAMP = @mkdir -p $(@D); echo '$(1)' | cmp -s - $@ || echo '$(1)' > $@
 $(BUILD)/flags: FORCE
 	$(call STAMP,$(CC) $(CXX) $(CPPFLAGS) $(CFLAGS) $(CXXFLAGS))
 $(BUILD)/members: FORCE
-	$(call STAMP,$(COMMON) $(TECHNIQUES))
+	$(call STAMP,$(COMMON) $(TECHNIQUES) $(GRADE))
 FORCE:
 
 $(OBJ)/%.c.o: %.c $(BUILD)/flags
@@ -76,6 +79,8 @@ $(BUILD)/libcommon.a: $(COMMON) $(BUILD)/members
 	$(ARCHIVE)
 $(BUILD)/libtechniques.a: $(TECHNIQUES) $(BUILD)/members
 	$(ARCHIVE)
+$(BUILD)/libgrade.a: $(GRADE) $(BUILD)/members
+	$(ARCHIVE)
 
 LINK = $(call SAY,link,$@)$(CXX) $(SANITIZE) $(filter %.o %.a,$^) $(1) $(LDLIBS) -o $@
 define CHAPTER
@@ -94,15 +99,31 @@ $(BUILD)/triangle: $(OBJ)/tests/triangle.c.o $(call objects,common/base*.c commo
 $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)): $(BUILD)/%: $(OBJ)/tests/tools/%.c.o $(BUILD)/libcommon.a
 	$(call LINK)
 
+# --- exercises ------------------------------------------------------------------------------------------------------------
+# solutions/ holds answers and stubs in one file; tests judge the two trees that are cut from it, never what a student has made of exercises/.
+SOLUTIONS := $(wildcard solutions/*/*)
+$(BUILD)/stubs.made $(BUILD)/solutions.made: $(BUILD)/%.made: $(SOLUTIONS) tests/tools/exercises.sh
+	@mkdir -p $(@D)
+	@sh tests/tools/exercises.sh $* $(BUILD)/$*
+	@touch $@
+# How an exercise is compiled and linked, for the programs that do it: a word a line, the linker's after an empty one; @ stands for this folder.
+$(BUILD)/exercise_commands: FORCE
+	@mkdir -p $(@D)
+	@{ printf '%s\n' $(CC) -D_GNU_SOURCE -I@/common $(SYSTEM) $(CFLAGS); echo; printf '%s\n' $(LDLIBS) -lstdc++; } >$@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+EXERCISES := $(BUILD)/exercise_commands $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
+$(BUILD)/course: $(OBJ)/tests/grade/course.c.o $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+	$(call LINK,-ljansson)
+
 # --- tests ----------------------------------------------------------------------------------------------------------------
 # One test file alone: make build/only/test_scene. A chapter's test (test_01_…) is linked with its chapter's technique.
-$(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
+$(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	@mkdir -p $(@D)
-	$(call LINK,-lcriterion)
-$(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
-	$(call LINK,-lcriterion)
-$(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
-	$(call LINK,-lcriterion)
+	$(call LINK,-lcriterion -ljansson)
+$(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+	$(call LINK,-lcriterion -ljansson)
+$(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+	$(call LINK,-lcriterion -ljansson)
 
 test: ## install what tests need, build, run every fast test; JUnit in build/junit.xml
 	@$(MAKE) deps-test
@@ -159,7 +180,7 @@ figures: $(PROGRAMS) $(BUILD)/figure ## measure each chapter's sweep and stabili
 	@for chapter in $(CHAPTERS); do sh tests/tools/figures.sh $(BUILD) $$chapter || exit 1; done
 
 # --- for those who change the code -------------------------------------------------------------------------------------------
-FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch]))
+FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch] tests/grade/*.[ch]))
 format: ## clang-format every C and C++ file in place
 	clang-format -i $(FORMATTED)
 lint: compile_commands.json ## format, clang-tidy, cppcheck, include edges, line counts, unused shaders and functions
@@ -173,6 +194,6 @@ help: ## this list
 	@awk -f tests/tools/help.awk $(firstword $(MAKEFILE_LIST))
 	@for chapter in $(CHAPTERS); do printf '  %-16s build and open chapters/%s (ARGS="--help" lists its options)\n' $${chapter%%_*} $$chapter; done
 
--include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c))
+-include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c))
 .PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
   lessons lessons-check pictures figures format lint clean help FORCE
