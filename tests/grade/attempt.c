@@ -100,19 +100,25 @@ ConfineResult attempt_build(const Attempt *attempt, const char *const *flags)
         if (!strcmp(ending, ".c"))
             add(&words, text_format("%s/%s/%s", attempt->tree, attempt->entry->folder, name));
     }
-    add(&words, text_format("%s/libtechniques.a", attempt->build));
-    add(&words, text_format("%s/libcommon.a", attempt->build));
+    char *techniques = text_format("%s/libtechniques.a", attempt->build);
+    char *common = text_format("%s/libcommon.a", attempt->build), *headers = text_format("%s/common", root);
+    add(&words, text_format("%s", techniques));
+    add(&words, text_format("%s", common));
     add_lines(&words, link, root);
     add(&words, text_format("-o"));
     add(&words, text_format("%s/program", attempt->folder));
-    ConfineResult result =
-        confine_run(&(Confine){.command = (const char *const *)words.list,
-                               .folder = attempt->folder,
-                               .readable = (const char *const[]){root, attempt->tree, attempt->build, NULL},
-                               .limits = build_limits});
+    // Not the whole of root: a file of solutions/ is not to be included.
+    const char *const readable[] = {headers, techniques, common, attempt->tree, NULL};
+    ConfineResult result = confine_run(&(Confine){.command = (const char *const *)words.list,
+                                                  .folder = attempt->folder,
+                                                  .readable = readable,
+                                                  .limits = build_limits});
     shorten(result.text, root);
     for (int i = 0; i < words.count; i++)
         free(words.list[i]);
+    free(techniques);
+    free(headers);
+    free(common);
     free(root);
     free(text);
     free(file);
@@ -154,18 +160,19 @@ static void run_program(const Attempt *attempt, const Check *check, uint64_t see
     char *program = text_format("%s/program", attempt->folder), *out = text_format("%s.out", check->name);
     char *in = text_format("%s/%s.in", attempt->given, check->name);
     char *old = text_format("%s/%s", attempt->folder, out), *why = NULL;
+    char *shaders = text_format("%s/shaders", root);
     confine_folder_remove(old); // whatever an earlier run has made of it
     outcome->input = input_make(attempt->entry, check, seed);
     input_write(&outcome->input, in);
     const char *environment[8];
     char *made[8];
     gl_environment(environment, made);
-    ConfineResult result =
-        confine_run(&(Confine){.command = (const char *const[]){program, in, out, NULL},
-                               .folder = attempt->folder,
-                               .readable = (const char *const[]){root, attempt->tree, attempt->given, NULL},
-                               .environment = environment,
-                               .limits = run_limits});
+    ConfineResult result = confine_run(
+        &(Confine){.command = (const char *const[]){program, in, out, NULL},
+                   .folder = attempt->folder,
+                   .readable = (const char *const[]){shaders, attempt->tree, attempt->given, NULL},
+                   .environment = environment,
+                   .limits = run_limits});
     outcome->text = result.text;
     shorten(outcome->text, root);
     outcome->seconds = result.seconds;
@@ -180,6 +187,7 @@ static void run_program(const Attempt *attempt, const Check *check, uint64_t see
         free(made[i]);
     free(why);
     free(old);
+    free(shaders);
     free(in);
     free(out);
     free(program);

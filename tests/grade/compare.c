@@ -17,7 +17,7 @@ Comparison compare_values(const float *got, const float *wanted, size_t count, T
     for (size_t i = 0; i < count; i++) {
         double room = tolerance_at(tolerance, (double)wanted[i]);
         double error = fabs((double)got[i] - (double)wanted[i]);
-        bool finite = isfinite(got[i]);
+        bool finite = isfinite(got[i]) && isfinite(wanted[i]);
         // no room at a wanted 0: any error is beyond it
         double ratio = !finite ? INFINITY : error == 0 ? 0 : room > 0 ? error / room : INFINITY;
         comparison.nonfinite += !finite;
