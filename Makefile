@@ -43,7 +43,7 @@ SLOW     := $(call objects,tests/slow_*.c)
 SUPPORT  := $(call objects,tests/support*.c)
 TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/triangle.c))
 # The graders' programs, one main each; the rest of tests/grade/ is a library that they and the tests share.
-GRADERS  := grade margins course
+GRADERS  := grade prove margins course
 GRADE    := $(filter-out $(GRADERS:%=$(OBJ)/tests/grade/%.c.o),$(call objects,tests/grade/*.c))
 SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c)
 
@@ -112,8 +112,45 @@ $(BUILD)/exercise_commands: FORCE
 	@{ printf '%s\n' $(CC) -D_GNU_SOURCE -I@/common $(SYSTEM) $(CFLAGS); echo; printf '%s\n' $(LDLIBS) -lstdc++; } >$@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 EXERCISES := $(BUILD)/exercise_commands $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
-$(BUILD)/course: $(OBJ)/tests/grade/course.c.o $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+$(GRADERS:%=$(BUILD)/%): $(BUILD)/%: $(OBJ)/tests/grade/%.c.o $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	$(call LINK,-ljansson)
+
+next: $(BUILD)/course ## the first exercise that you have not solved: what to do, what to read, which file to open
+	@$(BUILD)/course next
+progress: $(BUILD)/course ## how far you are
+	@$(BUILD)/course progress
+check: $(BUILD)/course $(EXERCISES) ## does your exercise work? EX=01.2 names it, else it is the first unsolved
+	@$(BUILD)/course check $(EX)
+watch: $(BUILD)/course $(EXERCISES) ## check EX=01.2 again whenever you save
+	@$(BUILD)/course watch $(EX)
+hint: $(BUILD)/course ## the next of three hints for EX=01.2
+	@$(BUILD)/course hint $(EX)
+solution: $(BUILD)/course ## our solution of EX=01.2, once yours passes
+	@$(BUILD)/course solution $(EX)
+exercises: ## make exercises/ from solutions/; files that you have worked on stay as they are
+	@sh tests/tools/exercises.sh update
+record: $(BUILD)/course $(EXERCISES) $(BUILD)/solutions.made ## for authors: record what EX=01.2 should give, and what each known mistake gives
+	@rm -rf $(BUILD)/wrong/$(EX)
+	@for diff in tests/mutants/exercises/$(or $(EX),none)/*.diff; do name=$$(basename $$diff .diff); \
+	  sh tests/tools/exercises.sh wrong $(EX) $$name $(BUILD)/wrong/$(EX)/$$name || exit 1; done
+	@$(BUILD)/course record $(EX)
+handout: ## for instructors: what a student gets, into DIR=folder; EX="01.1 01.2" chooses, else all
+	@sh tests/tools/handout.sh "$(DIR)" $(EX)
+
+# Both trees and all that a program is linked with: what a grader copies to a scratch folder of its own.
+GRADING := $(EXERCISES) $(BUILD)/stubs.made $(BUILD)/solutions.made
+grade: $(BUILD)/grade $(GRADING) ## for instructors: grade DIR=submission into OUT=folder (out/grade); SEED=n for the same inputs again, EX="02.2 02.3"
+	@$(BUILD)/grade "$(DIR)" "$(or $(OUT),out/grade)" --seed "$(SEED)" --exercises "$(EX)"
+# Each mistake of tests/mutants/exercises/ID/ in a tree of its own.
+$(BUILD)/wrong.made: $(SOLUTIONS) $(wildcard tests/mutants/exercises/*/*.diff) tests/tools/exercises.sh
+	@rm -rf $(BUILD)/wrong && mkdir -p $(BUILD)/wrong
+	@for diff in $(wildcard tests/mutants/exercises/*/*.diff); do id=$$(basename $$(dirname $$diff)) name=$$(basename $$diff .diff); \
+	  sh tests/tools/exercises.sh wrong $$id $$name $(BUILD)/wrong/$$id/$$name || exit 1; done
+	@touch $@
+test-exercise-mutants: $(BUILD)/prove $(GRADING) $(BUILD)/wrong.made ## each solution must get all points, each stub none, each known mistake lose just what its table says and earn its sentence
+	@$(BUILD)/prove $(EX)
+margins: $(BUILD)/margins $(GRADING) $(BUILD)/wrong.made ## how far solutions and mistakes keep from each tolerance, over compilers, optimization, GL platforms, threads
+	@$(BUILD)/margins $(EX)
 
 # --- tests ----------------------------------------------------------------------------------------------------------------
 # One test file alone: make build/only/test_scene. A chapter's test (test_01_…) is linked with its chapter's technique.
@@ -137,6 +174,7 @@ test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants,
 	@$(MAKE) sanitize
 	@$(MAKE) test-clang
 	@$(MAKE) test-mutants
+	@$(MAKE) test-exercise-mutants
 	@$(MAKE) test-readme
 	@cat $(BUILD)/*.synthesis $(BUILD)/sanitize/*.synthesis $(BUILD)/clang/*.synthesis
 test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow
@@ -196,4 +234,4 @@ help: ## this list
 
 -include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c))
 .PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
-  lessons lessons-check pictures figures format lint clean help FORCE
+  grade test-exercise-mutants margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures format lint clean help FORCE

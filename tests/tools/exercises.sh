@@ -2,6 +2,7 @@
 # The files of solutions/ hold answer and stub: #ifdef SOLUTION … #else … #endif. This cuts them apart.
 #   exercises.sh stubs TO [FROM]      a tree of stubs: what a student begins with
 #   exercises.sh solutions TO [FROM]  a tree of solutions
+#   exercises.sh wrong ID NAME TO     a tree of solutions with the mistake tests/mutants/exercises/ID/NAME.diff in it
 #   exercises.sh update [FROM TO]     (make exercises) bring exercises/ up to date; a file that is not exactly an earlier stub is somebody's work and is
 #                                     left alone, named, and the status is 1. TO/.stubs holds the checksum of every stub ever made.
 #   exercises.sh compare [FROM TO]    fail where exercises/ does not hold the stubs as they are made now
@@ -24,6 +25,7 @@ sources() { (cd "$1" && find . -type f ! -name '.*' | sed 's,^\./,,' | LC_ALL=C 
 tree() # -U|-D FROM TO
 {
     rm -rf "$3"
+    mkdir -p "$3"
     for file in $(sources "$2"); do cut_file "$1" "$2/$file" "$3/$file"; done
 }
 
@@ -67,10 +69,21 @@ compare() # FROM TO
     [ "$stale" -eq 0 ]
 }
 
+wrong() # ID NAME TO
+{
+    whole=$(mktemp -d) diff=tests/mutants/exercises/$1/$2.diff
+    trap 'rm -rf "$whole"' EXIT
+    [ -e "$diff" ] || fail "$diff: there is none"
+    cp -R solutions "$whole"
+    patch -d "$whole" -p1 -s -N -r - <"$diff" >"$whole/log" 2>&1 || fail "$diff: does not apply to solutions/: $(head -n 1 "$whole/log")"
+    tree -D "$whole/solutions" "$3"
+}
+
 case ${1:-} in
 stubs) tree -U "${3:-solutions}" "${2:?a folder to write}" ;;
 solutions) tree -D "${3:-solutions}" "${2:?a folder to write}" ;;
+wrong) wrong "${2:?an exercise}" "${3:?a mistake}" "${4:?a folder to write}" ;;
 update) update "${2:-solutions}" "${3:-exercises}" ;;
 compare) compare "${2:-solutions}" "${3:-exercises}" ;;
-*) fail "stubs TO, solutions TO, update or compare is needed" ;;
+*) fail "stubs TO, solutions TO, wrong ID NAME TO, update or compare is needed" ;;
 esac

@@ -1,0 +1,199 @@
+// check: make check EX=NN.M. Builds the student's files, runs them on the inputs of seed 0, compares with what tests/data holds, and says in
+// one screen what is right, what is wrong, where, and what to do next. See course.h.
+#include "course.h"
+#include "recorded.h"
+#include "report.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { TEXT_LINES = 14 };
+
+// What a compiler or program said, as much as fits a screen.
+static void say_text(const char *text, int lines)
+{
+    int line = 0;
+    for (; *text && line < lines; line++) {
+        int length = (int)strcspn(text, "\n");
+        printf("    %.*s\n", length, text);
+        text += length + (text[length] == '\n');
+    }
+    if (*text)
+        puts("    … (there is more; the first is the one to mend)");
+}
+
+static bool files_there(const Course *course, const Entry *entry)
+{
+    bool there = true;
+    for (int i = 0; i < entry->file_count; i++) {
+        char *path = course_path(course, entry, i);
+        if (access(path, R_OK) != 0) {
+            printf("  %s is missing. make exercises brings the stub back.\n", path);
+            there = false;
+        }
+        free(path);
+    }
+    return there;
+}
+
+static bool build(const Attempt *attempt)
+{
+    ConfineResult result = attempt_build(attempt, NULL);
+    bool good = result.end == CONFINE_EXIT && result.status == 0;
+    if (!good)
+        puts("  It does not compile, so nothing was checked:\n");
+    else if (*result.text)
+        puts("  It compiles, and the compiler has a remark:\n");
+    if (*result.text) {
+        say_text(result.text, good ? TEXT_LINES / 2 : TEXT_LINES);
+        putchar('\n');
+    }
+    free(result.text);
+    return good;
+}
+
+// What the checks of one exercise came to, in the entry's order.
+typedef struct Results {
+    Outcome *outcomes;
+    float **wanted, **got; // got: the outcomes' values
+    bool *passes;
+    int passing;
+} Results;
+
+static Results results_make(const Course *course, const Attempt *attempt)
+{
+    const Entry *entry = attempt->entry;
+    size_t count = (size_t)entry->check_count;
+    Results results = {.outcomes = memory_new(count, sizeof(Outcome), "outcomes"),
+                       .wanted = memory_new(count, sizeof(float *), "outcomes"),
+                       .got = memory_new(count, sizeof(float *), "outcomes"),
+                       .passes = memory_new(count, sizeof(bool), "outcomes")};
+    for (int i = 0; i < entry->check_count; i++) {
+        const Check *check = &entry->checks[i];
+        results.wanted[i] = recorded_read(course->data, entry, check, NULL);
+        results.outcomes[i] = attempt_run(attempt, check, 0);
+        results.got[i] = results.outcomes[i].values;
+        results.passes[i] =
+            results.got[i] &&
+            !compare_values(results.got[i], results.wanted[i], check_values(check), check->tolerance).wrong;
+        results.passing += results.passes[i];
+    }
+    return results;
+}
+
+static void results_free(Results *results, const Entry *entry)
+{
+    for (int i = 0; i < entry->check_count; i++) {
+        outcome_free(&results->outcomes[i]);
+        free(results->wanted[i]);
+    }
+    free(results->outcomes);
+    free(results->wanted);
+    free(results->got);
+    free(results->passes);
+}
+
+static void say_failed_run(const Attempt *attempt, const Check *check, const Outcome *outcome)
+{
+    char *why =
+        text_format("%s%s", attempt->entry->kind == EXERCISE_MEASURE ? "" : "the program ", outcome->why);
+    say_wrapped(10, "", strncmp(outcome->why, "its output", 10) ? why : outcome->why);
+    free(why);
+    if (outcome->text && *outcome->text) {
+        // the program's own name before a message says nothing here
+        say_text(outcome->text + (strncmp(outcome->text, "program: ", 9) ? 0 : 9), TEXT_LINES / 2);
+    }
+    if (attempt->entry->kind != EXERCISE_MEASURE && !outcome->machine_failed)
+        printf("          Run it yourself, under gdb say:\n            %s/program %s/%s.in /tmp/out\n",
+               attempt->folder, attempt->given, check->name);
+}
+
+static void say_verdict(const Check *check, bool passes)
+{
+    char *text = check->points > 0
+                     ? text_format("%s: %s (%g points)", check->name, check->asks, check->points)
+                     : text_format("%s: %s", check->name, check->asks);
+    say_wrapped(2, passes ? "ok" : "WRONG", text);
+    free(text);
+}
+
+// A line for each check; the first that fails is told in full, so that the screen has room.
+static void say_results(const Course *course, const Attempt *attempt, const Results *results)
+{
+    const Entry *entry = attempt->entry;
+    bool told = false;
+    for (int i = 0; i < entry->check_count; i++) {
+        const Check *check = &entry->checks[i];
+        const Outcome *outcome = &results->outcomes[i];
+        bool passes = results->passes[i];
+        say_verdict(check, passes);
+        if (passes && entry->kind == EXERCISE_MEASURE)
+            printf("          %.7g (%s)\n", (double)outcome->values[0], outcome->text);
+        if (passes || told)
+            continue;
+        told = true;
+        if (!outcome->values) {
+            say_failed_run(attempt, check, outcome);
+            continue;
+        }
+        Comparison comparison =
+            compare_values(outcome->values, results->wanted[i], check_values(check), check->tolerance);
+        report_wrong(entry, check, outcome, results->wanted[i], &comparison);
+        char *picture = text_format("%s/%s_%s.png", course->out, entry->id, check->name);
+        folder_make(course->out);
+        if (report_picture(picture, check, outcome->values, results->wanted[i]))
+            printf("          yours | wanted | difference: %s\n", picture);
+        free(picture);
+    }
+    putchar('\n');
+}
+
+static void say_end(const Course *course, const Entry *entry, const Results *results)
+{
+    const Misconception *mistake = results->passing < entry->check_count
+                                       ? recorded_mistake(course->data, entry, results->got, results->passes)
+                                       : NULL;
+    if (mistake) {
+        say_wrapped(2, "", mistake->says);
+        putchar('\n');
+    }
+    if (results->passing == entry->check_count) {
+        const Entry *next = progress_next(course);
+        printf("  %s is solved. Ours, to compare: make solution EX=%s\n", entry->id, entry->id);
+        if (next)
+            printf("  Next: %s %s (make next)\n", next->id, next->title);
+        else
+            puts("  That was the last one: everything passes.");
+    } else {
+        printf("  %d of %d checks pass. Stuck? make hint EX=%s", results->passing, entry->check_count,
+               entry->id);
+        printf("   (%d of 3 read)\n", progress_hints(course, entry));
+    }
+}
+
+int course_check(Course *course, const Entry *entry)
+{
+    printf("%s  %s\n\n", entry->id, entry->title);
+    bool passes = false;
+    if (files_there(course, entry)) {
+        char *folder = text_format("%s/check/%s", course->build, entry->id);
+        Attempt attempt = attempt_open(entry, course->tree, course->build, folder);
+        free(folder);
+        if (entry->kind == EXERCISE_MEASURE || build(&attempt)) {
+            Results results = results_make(course, &attempt);
+            passes = results.passing == entry->check_count;
+            progress_set_flag(course, entry, "passes", passes);
+            if (passes)
+                progress_set_flag(course, entry, "solved", true);
+            say_results(course, &attempt, &results);
+            say_end(course, entry, &results);
+            results_free(&results, entry);
+        } else {
+            progress_set_flag(course, entry, "passes", false);
+        }
+        attempt_close(&attempt);
+    }
+    progress_write(course);
+    return passes ? 0 : 1;
+}
