@@ -8,7 +8,7 @@
 static void corners_draw(int corner[9], int reach, uint64_t *random)
 {
     for (int k = 0; k < 9; k++)
-        corner[k] = random_between(random, -reach, reach);
+        corner[k] = input_between(random, -reach, reach);
 }
 
 static void normal_of(const int corner[9], int64_t normal[3])
@@ -81,7 +81,244 @@ static void triangles_ties(Input *input, const Shape *shape, uint64_t *random)
     }
 }
 
+// --- 01.2: the grid's size, then triangles. Corners in steps of 1/8 below 16: every product below 2^24 of its unit, so each sign is
+// the same in any precision and order.
+
+static void grid_head(Input *input, const Shape *shape)
+{
+    for (int k = 0; k < 3; k++)
+        input_add(input, shape->size[k]);
+}
+
+// Whether the triangle's plane (corners in eighths) meets one of the three segments of a voxel in its box at an end exactly: there the answer is a rule's,
+// which one check asks for and the others leave alone.
+static bool meets_a_face_centre(const int corner[9], const int64_t normal[3])
+{
+    int low[3], high[3], voxel[3];
+    for (int k = 0; k < 3; k++) {
+        low[k] = high[k] = corner[k];
+        for (int i = 1; i < 3; i++) {
+            low[k] = corner[3 * i + k] < low[k] ? corner[3 * i + k] : low[k];
+            high[k] = corner[3 * i + k] > high[k] ? corner[3 * i + k] : high[k];
+        }
+    }
+    for (voxel[2] = low[2] / 8 - 1; voxel[2] <= high[2] / 8; voxel[2]++)
+        for (voxel[1] = low[1] / 8 - 1; voxel[1] <= high[1] / 8; voxel[1]++)
+            for (voxel[0] = low[0] / 8 - 1; voxel[0] <= high[0] / 8; voxel[0]++) {
+                int64_t distance = 0;
+                for (int k = 0; k < 3; k++)
+                    distance += normal[k] * (corner[k] - 8 * voxel[k] - 4);
+                for (int k = 0; k < 3; k++)
+                    if (normal[k] && llabs(distance) == 4 * llabs(normal[k]))
+                        return true;
+            }
+    return false;
+}
+
+// One triangle across the grid, slanted to every axis: no component of its normal below a quarter of the largest.
+static void thin_oblique(Input *input, const Shape *shape, uint64_t *random)
+{
+    grid_head(input, shape);
+    int corner[9];
+    int64_t normal[3], most, least;
+    do {
+        for (int k = 0; k < 9; k++)
+            corner[k] = input_between(random, 0, 8 * shape->size[k % 3]);
+        normal_of(corner, normal);
+        most = least = llabs(normal[0]);
+        for (int k = 1; k < 3; k++) {
+            most = llabs(normal[k]) > most ? llabs(normal[k]) : most;
+            least = llabs(normal[k]) < least ? llabs(normal[k]) : least;
+        }
+    } while (4 * least < most || most < 32 * 64 ||
+             meets_a_face_centre(corner, normal)); // at least 16 square voxels, seen along its axis
+    for (int k = 0; k < 9; k++)
+        input_add(input, corner[k] / 8.0);
+}
+
+// Triangles of about two voxels.
+static void thin_small(Input *input, const Shape *shape, uint64_t *random)
+{
+    enum { COUNT = 40 };
+    grid_head(input, shape);
+    for (int i = 0; i < COUNT; i++) {
+        int corner[9];
+        int64_t normal[3];
+        do {
+            for (int k = 0; k < 9; k++) {
+                int most = 8 * shape->size[k % 3];
+                corner[k] =
+                    k < 3 ? input_between(random, 0, most) : corner[k - 3] + input_between(random, -20, 20);
+                corner[k] = corner[k] < 0 ? 0 : corner[k] > most ? most : corner[k];
+            }
+            normal_of(corner, normal);
+        } while ((!normal[0] && !normal[1] && !normal[2]) || meets_a_face_centre(corner, normal));
+        for (int k = 0; k < 9; k++)
+            input_add(input, corner[k] / 8.0);
+    }
+}
+
+// Walls of two triangles in the faces between voxels, one along each axis, their borders through voxel centres.
+static void thin_walls(Input *input, const Shape *shape, uint64_t *random)
+{
+    grid_head(input, shape);
+    for (int axis = 0; axis < 3; axis++) {
+        int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        double corner[4][3];
+        int at = input_between(random, 2, shape->size[axis] - 2);
+        double low[2], high[2];
+        for (int k = 0; k < 2; k++) {
+            int size = shape->size[k ? v : u];
+            low[k] = 0.5 + input_between(random, 0, size / 2 - 2);
+            high[k] = 0.5 + input_between(random, size / 2 + 1, size - 1);
+        }
+        for (int i = 0; i < 4; i++) {
+            corner[i][axis] = at;
+            corner[i][u] = i == 1 || i == 2 ? high[0] : low[0];
+            corner[i][v] = i >= 2 ? high[1] : low[1];
+        }
+        bool turned = input_between(random, 0, 1);
+        static const int order[2][6] = {{0, 1, 2, 0, 2, 3}, {0, 2, 1, 0, 3, 2}};
+        for (int i = 0; i < 6; i++)
+            for (int k = 0; k < 3; k++)
+                input_add(input, corner[order[turned][i]][k]);
+    }
+}
+
+// --- 01.3: a polygon, then points. Coordinates are whole numbers of `unit`, at most 2048 of them from `centre`: products of their differences stay
+// below 2^24, exact in float32.
+
+typedef struct Polygon {
+    int count, x[32], y[32];
+} Polygon;
+
+static void polygon_add(Polygon *polygon, int x, int y)
+{
+    polygon->x[polygon->count] = x;
+    polygon->y[polygon->count++] = y;
+}
+
+// Sixteen directions, counter-clockwise, of about 1024.
+static const int directions[16][2] = {
+    {1024, 0},  {946, 392},   {724, 724},   {392, 946},   {0, 1024},  {-392, 946}, {-724, 724}, {-946, 392},
+    {-1024, 0}, {-946, -392}, {-724, -724}, {-392, -946}, {0, -1024}, {392, -946}, {724, -724}, {946, -392}};
+
+// Around the origin `turns` times (clockwise where negative), at another distance in each direction.
+static Polygon polygon_around(int turns, uint64_t *random)
+{
+    Polygon polygon = {0};
+    int sign = turns < 0 ? -1 : 1;
+    for (int i = 0; i<16 * sign * turns; i += turns * turns> 1 ? 3 : 1) {
+        const int *to = directions[(16 + sign * (i % 16)) % 16];
+        int reach = input_between(random, 4, 16);
+        polygon_add(&polygon, to[0] * reach / 16, to[1] * reach / 16);
+    }
+    return polygon;
+}
+
+// Whether a point has the height of a corner or lies on the line of an edge: what a border's rule decides.
+static bool on_a_border(const Polygon *polygon, int x, int y)
+{
+    for (int i = 0; i < polygon->count; i++) {
+        int next = (i + 1) % polygon->count;
+        int64_t ax = polygon->x[i] - x, ay = polygon->y[i] - y;
+        int64_t bx = polygon->x[next] - x, by = polygon->y[next] - y;
+        if (ay == 0 || ax * by == bx * ay)
+            return true;
+    }
+    return false;
+}
+
+static void winding_input(Input *input, const Polygon *polygon, double centre, double unit)
+{
+    input_add(input, polygon->count);
+    for (int i = 0; i < polygon->count; i++) {
+        input_add(input, centre + unit * polygon->x[i]);
+        input_add(input, centre + unit * polygon->y[i]);
+    }
+    input->head = input->count;
+    input->stride = 2;
+}
+
+static void points_off_the_border(Input *input, const Polygon *polygon, int count, double centre, double unit,
+                                  uint64_t *random)
+{
+    for (int i = 0; i < count; i++) {
+        int x, y;
+        do {
+            x = input_between(random, -1024, 1024);
+            y = input_between(random, -1024, 1024);
+        } while (on_a_border(polygon, x, y));
+        input_add(input, centre + unit * x);
+        input_add(input, centre + unit * y);
+    }
+}
+
+static void winding_simple(Input *input, const Shape *shape, uint64_t *random)
+{
+    Polygon polygon = polygon_around(1, random);
+    winding_input(input, &polygon, 0, 1.0 / 64);
+    points_off_the_border(input, &polygon, shape->size[0], 0, 1.0 / 64, random);
+}
+
+// Twice or three times around, and clockwise.
+static void winding_overlapping(Input *input, const Shape *shape, uint64_t *random)
+{
+    Polygon polygon = polygon_around(-input_between(random, 2, 3), random);
+    winding_input(input, &polygon, 0, 1.0 / 64);
+    points_off_the_border(input, &polygon, shape->size[0], 0, 1.0 / 64, random);
+}
+
+// Far from the origin, where neighbouring float32 numbers lie 1/8 apart; points close to an edge's line, where rounding shows.
+static void winding_far(Input *input, const Shape *shape, uint64_t *random)
+{
+    enum { FAR = 1 << 20 };
+    Polygon polygon = polygon_around(1, random);
+    winding_input(input, &polygon, FAR, 1.0 / 8);
+    for (int i = 0; i < shape->size[0]; i++) {
+        int x, y;
+        do { // beside the middle of an edge, a step or two
+            int at = input_between(random, 0, polygon.count - 1), next = (at + 1) % polygon.count;
+            x = (polygon.x[at] + polygon.x[next]) / 2 + input_between(random, -2, 2);
+            y = (polygon.y[at] + polygon.y[next]) / 2 + input_between(random, -2, 2);
+        } while (on_a_border(&polygon, x, y));
+        input_add(input, FAR + x / 8.0);
+        input_add(input, FAR + y / 8.0);
+    }
+}
+
+// A polygon of small whole numbers with level and upright edges, and every point of the lattice about it: most lie on a border or at a corner's height.
+static void winding_border(Input *input, const Shape *shape, uint64_t *random)
+{
+    Polygon polygon = {0};
+    int side = shape->size[0], left = input_between(random, 1, 2),
+        right = side - 2 - input_between(random, 0, 1);
+    int middle = input_between(random, left + 2, right - 2), top = shape->size[1] - 2;
+    polygon_add(&polygon, left, 1);
+    polygon_add(&polygon, middle, 3);
+    polygon_add(&polygon, right, 1);
+    polygon_add(&polygon, right, top - 2);
+    polygon_add(&polygon, right - 2, top);
+    polygon_add(&polygon, middle, top - 3);
+    polygon_add(&polygon, left + 1, top - 3);
+    polygon_add(&polygon, left + 1, top);
+    polygon_add(&polygon, left, top);
+    winding_input(input, &polygon, 0, 1);
+    for (int y = 0; y < shape->size[1]; y++)
+        for (int x = 0; x < side; x++) {
+            input_add(input, x);
+            input_add(input, y);
+        }
+}
+
 const Generator inputs_01[] = {{"triangles_random", triangles_random},
                                {"triangles_small", triangles_small},
                                {"triangles_ties", triangles_ties},
+                               {"thin_oblique", thin_oblique},
+                               {"thin_small", thin_small},
+                               {"thin_walls", thin_walls},
+                               {"winding_simple", winding_simple},
+                               {"winding_overlapping", winding_overlapping},
+                               {"winding_far", winding_far},
+                               {"winding_border", winding_border},
                                {NULL, NULL}};

@@ -104,7 +104,7 @@ static void say_map(const Check *check, const float *got, const float *wanted)
         printf("x to the right");
     for (size_t i = 0; i < sizeof meaning / sizeof *meaning; i++)
         if (used[(int)meaning[i][0]])
-            printf("%s  %s", i ? "" : ":", meaning[i]);
+            printf(";  %s", meaning[i]);
     puts("\n");
 }
 
@@ -129,7 +129,8 @@ void report_wrong(const Entry *entry, const Check *check, const Outcome *outcome
         say_wrapped(INDENT, "", check->because);
         return;
     }
-    printf("%*s%zu of %zu numbers are wrong", INDENT, "", comparison->wrong, comparison->count);
+    printf("%*s%zu of %zu numbers %s wrong", INDENT, "", comparison->wrong, comparison->count,
+           comparison->wrong > 1 ? "are" : "is");
     if (comparison->nonfinite)
         printf(", %zu of them NaN or infinite", comparison->nonfinite);
     char *where = report_where(&check->shape, comparison->worst);
