@@ -59,7 +59,7 @@ void input_add(Input *input, double value)
 }
 
 // Steele, Lea and Flood (2014), SplitMix64: integers alone, so the same everywhere.
-uint64_t random_next(uint64_t *random)
+uint64_t input_next(uint64_t *random)
 {
     uint64_t z = *random += UINT64_C(0x9e3779b97f4a7c15);
     z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -67,7 +67,7 @@ uint64_t random_next(uint64_t *random)
     return z ^ z >> 31;
 }
 
-int random_between(uint64_t *random, int low, int high)
+int input_between(uint64_t *random, int low, int high)
 {
-    return low + (int)(random_next(random) % (uint64_t)(high - low + 1));
+    return low + (int)(input_next(random) % (uint64_t)(high - low + 1));
 }

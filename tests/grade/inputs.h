@@ -28,7 +28,7 @@ void input_write(const Input *input, const char *path);
 
 // For generators.
 void input_add(Input *input, double value); // ends the program where float32 does not hold it exactly
-uint64_t random_next(uint64_t *random);     // splitmix64
-int random_between(uint64_t *random, int low, int high); // low and high included
+uint64_t input_next(uint64_t *random);      // splitmix64
+int input_between(uint64_t *random, int low, int high); // low and high included
 
 #endif

@@ -115,25 +115,41 @@ static bool meets_a_face_centre(const int corner[9], const int64_t normal[3])
     return false;
 }
 
-// One triangle across the grid, slanted to every axis: no component of its normal below a quarter of the largest.
+static void triangle_turn(int corner[9])
+{
+    for (int k = 3; k < 6; k++) {
+        int other = corner[k + 3];
+        corner[k + 3] = corner[k];
+        corner[k] = other;
+    }
+}
+
+// Four triangles across the grid, slanted to every axis: no component of a normal below a quarter of the largest, which points along its axis and
+// against it by turns.
 static void thin_oblique(Input *input, const Shape *shape, uint64_t *random)
 {
+    enum { COUNT = 4 };
     grid_head(input, shape);
-    int corner[9];
-    int64_t normal[3], most, least;
-    do {
+    for (int i = 0; i < COUNT; i++) {
+        int corner[9];
+        int64_t normal[3], most, least;
+        do {
+            for (int k = 0; k < 9; k++)
+                corner[k] = input_between(random, 0, 8 * shape->size[k % 3]);
+            normal_of(corner, normal);
+            most = least = normal[0];
+            for (int k = 1; k < 3; k++) {
+                most = llabs(normal[k]) > llabs(most) ? normal[k] : most;
+                least = llabs(normal[k]) < llabs(least) ? normal[k] : least;
+            }
+            // at least 16 square voxels, seen along its axis
+        } while (4 * llabs(least) < llabs(most) || llabs(most) < 32 * 64 ||
+                 meets_a_face_centre(corner, normal));
+        if ((most > 0) != (i % 2 == 0))
+            triangle_turn(corner);
         for (int k = 0; k < 9; k++)
-            corner[k] = input_between(random, 0, 8 * shape->size[k % 3]);
-        normal_of(corner, normal);
-        most = least = llabs(normal[0]);
-        for (int k = 1; k < 3; k++) {
-            most = llabs(normal[k]) > most ? llabs(normal[k]) : most;
-            least = llabs(normal[k]) < least ? llabs(normal[k]) : least;
-        }
-    } while (4 * least < most || most < 32 * 64 ||
-             meets_a_face_centre(corner, normal)); // at least 16 square voxels, seen along its axis
-    for (int k = 0; k < 9; k++)
-        input_add(input, corner[k] / 8.0);
+            input_add(input, corner[k] / 8.0);
+    }
 }
 
 // Triangles of about two voxels.
@@ -162,6 +178,7 @@ static void thin_small(Input *input, const Shape *shape, uint64_t *random)
 static void thin_walls(Input *input, const Shape *shape, uint64_t *random)
 {
     grid_head(input, shape);
+    bool turned = input_between(random, 0, 1); // every other wall
     for (int axis = 0; axis < 3; axis++) {
         int u = (axis + 1) % 3, v = (axis + 2) % 3;
         double corner[4][3];
