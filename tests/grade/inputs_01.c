@@ -194,7 +194,7 @@ static void thin_walls(Input *input, const Shape *shape, uint64_t *random)
             corner[i][u] = i == 1 || i == 2 ? high[0] : low[0];
             corner[i][v] = i >= 2 ? high[1] : low[1];
         }
-        bool turned = input_between(random, 0, 1);
+        turned = !turned;
         static const int order[2][6] = {{0, 1, 2, 0, 2, 3}, {0, 2, 1, 0, 3, 2}};
         for (int i = 0; i < 6; i++)
             for (int k = 0; k < 3; k++)
