@@ -6,9 +6,11 @@
 
 static const Generator *find(const char *name)
 {
-    for (const Generator *generator = inputs_01; generator->name; generator++)
-        if (!strcmp(generator->name, name))
-            return generator;
+    static const Generator *const chapters[] = {inputs_01, inputs_01_winding, inputs_02};
+    for (size_t i = 0; i < sizeof chapters / sizeof *chapters; i++)
+        for (const Generator *generator = chapters[i]; generator->name; generator++)
+            if (!strcmp(generator->name, name))
+                return generator;
     return NULL;
 }
 
