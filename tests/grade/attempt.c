@@ -183,6 +183,7 @@ static void run_program(const Attempt *attempt, const Check *check, uint64_t see
     outcome->text = result.text;
     shorten(outcome->text, root);
     outcome->seconds = result.seconds;
+    outcome->end = result.end;
     outcome->machine_failed = result.end == CONFINE_NOT_RUN;
     if (result.end != CONFINE_EXIT || result.status != 0)
         outcome->why = confine_said(&result, &run_limits);

@@ -30,7 +30,8 @@ typedef struct Outcome {
     bool machine_failed; // `why` is not the program's fault: no process could be made
     char *text;          // what the program said; of a measure exercise: what was predicted
     double seconds;
-    Input input; // what it was given
+    ConfineEnd end; // of the program; of a measure exercise CONFINE_EXIT
+    Input input;    // what it was given
 } Outcome;
 Outcome attempt_run(const Attempt *attempt, const Check *check, uint64_t seed);
 void outcome_free(Outcome *outcome);

@@ -8,19 +8,19 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { TEXT_LINES = 14 };
+enum { TEXT_LINES = 14, INDENT = 10 };
 
 // What a compiler or program said, as much as fits a screen.
-static void say_text(const char *text, int lines)
+static void say_text(int indent, const char *text, int lines)
 {
     int line = 0;
     for (; *text && line < lines; line++) {
         int length = (int)strcspn(text, "\n");
-        printf("    %.*s\n", length, text);
+        printf("%*s%.*s\n", indent, "", length, text);
         text += length + (text[length] == '\n');
     }
     if (*text)
-        puts("    … (there is more; the first is the one to mend)");
+        printf("%*s… (there is more; the first is the one to mend)\n", indent, "");
 }
 
 static bool files_there(const Course *course, const Entry *entry)
@@ -39,14 +39,14 @@ static bool files_there(const Course *course, const Entry *entry)
 
 static bool build(const Attempt *attempt)
 {
-    ConfineResult result = attempt_build(attempt, NULL);
+    ConfineResult result = attempt_build(attempt, (const char *const[]){"-fmax-errors=2", NULL});
     bool good = result.end == CONFINE_EXIT && result.status == 0;
     if (!good)
         puts("  It does not compile, so nothing was checked:\n");
     else if (*result.text)
         puts("  It compiles, and the compiler has a remark:\n");
     if (*result.text) {
-        say_text(result.text, good ? TEXT_LINES / 2 : TEXT_LINES);
+        say_text(4, result.text, good ? TEXT_LINES / 2 : TEXT_LINES);
         putchar('\n');
     }
     free(result.text);
@@ -72,6 +72,10 @@ static Results results_make(const Course *course, const Attempt *attempt)
     for (int i = 0; i < entry->check_count; i++) {
         const Check *check = &entry->checks[i];
         results.wanted[i] = recorded_read(course->data, entry, check, NULL);
+        if (i && results.outcomes[i - 1].end == CONFINE_WALL) { // it would hang here, too
+            results.outcomes[i] = (Outcome){.why = text_format("was not run again"), .end = CONFINE_WALL};
+            continue;
+        }
         results.outcomes[i] = attempt_run(attempt, check, 0);
         results.got[i] = results.outcomes[i].values;
         results.passes[i] =
@@ -94,19 +98,20 @@ static void results_free(Results *results, const Entry *entry)
     free(results->passes);
 }
 
+// A check whose program gave no output, and why.
 static void say_failed_run(const Attempt *attempt, const Check *check, const Outcome *outcome)
 {
-    char *why =
-        text_format("%s%s", attempt->entry->kind == EXERCISE_MEASURE ? "" : "the program ", outcome->why);
-    say_wrapped(10, "", strncmp(outcome->why, "its output", 10) ? why : outcome->why);
+    const char *text = outcome->text ? outcome->text : "";
+    bool of_program =
+        attempt->entry->kind != EXERCISE_MEASURE && strncmp(outcome->why, "its output", 10) != 0;
+    char *why = text_format("%s%s%s", of_program ? "the program " : "", outcome->why, *text ? ":" : "");
+    say_wrapped(INDENT, "", why);
     free(why);
-    if (outcome->text && *outcome->text) {
-        // the program's own name before a message says nothing here
-        say_text(outcome->text + (strncmp(outcome->text, "program: ", 9) ? 0 : 9), TEXT_LINES / 2);
-    }
-    if (attempt->entry->kind != EXERCISE_MEASURE && !outcome->machine_failed)
-        printf("          Run it yourself, under gdb say:\n            %s/program %s/%s.in /tmp/out\n",
-               attempt->folder, attempt->given, check->name);
+    say_text(INDENT, text + (strncmp(text, "program: ", 9) ? 0 : 9),
+             TEXT_LINES / 2); // what fail_work begins with
+    if (outcome->end == CONFINE_SIGNAL || outcome->end == CONFINE_WALL)
+        printf("%*sRun it yourself, under gdb say:\n%*s%s/program %s/%s.in /tmp/out\n", INDENT, "",
+               INDENT + 2, "", attempt->folder, attempt->given, check->name);
 }
 
 static void say_verdict(const Check *check, bool passes)

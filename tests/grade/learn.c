@@ -119,7 +119,7 @@ static void say_answers(const char *path, char *text)
         if (!strncmp(line, "#ifdef SOLUTION", 15)) {
             inside = true;
             printf("  %s:\n", path);
-            if (before && *before && strspn(before, " {}") != strlen(before))
+            if (before && *before && !strpbrk(before, ";{}")) // a function's or condition's own line
                 printf("    %s\n", before);
         } else if (!strncmp(line, "#else", 5) || !strncmp(line, "#endif", 6)) {
             inside = false;
