@@ -2,6 +2,7 @@
 #include "recorded.h"
 #include "compare.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 char *recorded_path(const char *data, const Entry *entry, const Check *check, const char *mutant)
@@ -38,7 +39,10 @@ static bool is_output_of(const Misconception *misconception, const char *data, c
 {
     const Check *check = misconception->seen_in;
     float *known = recorded_read(data, entry, check, misconception->mutant);
-    bool same = compare_values(got, known, check_values(check), check->tolerance).wrong == 0;
+    bool same = true;
+    for (size_t i = 0; same && i < check_values(check); i++) // a mistake may well be to give NaN
+        same = (isnan(got[i]) && isnan(known[i])) || got[i] == known[i] ||
+               fabs((double)got[i] - (double)known[i]) <= tolerance_at(check->tolerance, (double)known[i]);
     free(known);
     return same;
 }
