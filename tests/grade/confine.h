@@ -16,7 +16,7 @@ typedef struct ConfineLimits {
     double wall_seconds;
     double cpu_seconds; // of each of its processes; rounded up to whole seconds
     size_t
-        memory_bytes; // of all its processes together: what they wrote to, not what libraries map or a compiler reserves
+        memory_bytes; // of all its processes together: what they wrote to, not what is mapped or reserved (a GL program here: 22 MB of some 2 GB)
     size_t folder_bytes;  // of all files in its folder together
     size_t folder_files;  // and how many
     size_t text_bytes;    // of stdout and stderr together

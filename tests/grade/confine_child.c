@@ -18,8 +18,6 @@
 
 enum { ARGUMENTS_MOST = 256, USER_ALONE = 2000000000, USER_NOBODY = 65534 };
 
-// LLVM's compiler and a GL driver reserve address space that they never touch: this bounds nonsense, confine_memory bounds use.
-static const rlim_t ADDRESS_SPACE = (rlim_t)16 << 30;
 static const rlim_t OPEN_FILES = 128;
 
 uid_t confine_user(void)
@@ -66,7 +64,6 @@ static void set_limits(const ConfineLimits *limits)
         (rlim_t)limits->cpu_seconds + ((double)(rlim_t)limits->cpu_seconds < limits->cpu_seconds);
     setrlimit(RLIMIT_CPU,
               &(struct rlimit){seconds, seconds + 1}); // soft: SIGXCPU, which tells it from other kills
-    limit(RLIMIT_AS, ADDRESS_SPACE);
     limit(RLIMIT_FSIZE, limits->folder_bytes);
     limit(RLIMIT_NPROC, tasks);
     limit(RLIMIT_NOFILE, OPEN_FILES);

@@ -12,7 +12,4 @@ char *report_where(const Shape *shape, size_t place);
 void report_wrong(const Entry *entry, const Check *check, const Outcome *outcome, const float *wanted,
                   const Comparison *comparison);
 
-// got | wanted | difference as one PNG; false where the output is a list and there is nothing to see.
-bool report_picture(const char *path, const Check *check, const float *got, const float *wanted);
-
 #endif

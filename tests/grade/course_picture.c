@@ -1,8 +1,11 @@
-// report_picture: got, wanted and their difference side by side. See report.h.
-#include "report.h"
+// course_picture: yours, the wanted and their difference side by side, of the two raw float32 files of one check:
+//     course_picture GOT WANTED DIMENSIONS WIDTH HEIGHT DEPTH CHANNELS OUT.png
+// A program of its own, since what writes pictures loads 260 libraries, and make check is to answer at once.
+#include "compare.h"
 #include "image.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 enum { SIDE = 256, GAP = 1 };
 
@@ -33,9 +36,8 @@ static float largest(const float *values, size_t count)
 }
 
 // A value as 0 to 1; what is not finite stays so and becomes magenta.
-static void paint(Image *image, const Sheet *sheet, const Check *check, const float *values, float scale)
+static void paint(Image *image, const Sheet *sheet, const Shape *shape, const float *values, float scale)
 {
-    const Shape *shape = &check->shape;
     for (int y = 0; y < image->height; y++)
         for (int x = 0; x < image->width; x++) {
             int item_x = x / sheet->scale, item_y = y / sheet->scale;
@@ -60,26 +62,40 @@ static void paint(Image *image, const Sheet *sheet, const Check *check, const fl
         }
 }
 
-bool report_picture(const char *path, const Check *check, const float *got, const float *wanted)
+static float *values_or_end(const char *path, size_t count)
 {
-    if (check->shape.dimensions == 1)
-        return false;
-    Sheet sheet = sheet_of(&check->shape);
+    char *error;
+    float *values = values_read(path, count, &error);
+    if (!values)
+        fail_work("%s", error);
+    return values;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 9)
+        fail_request("GOT WANTED DIMENSIONS WIDTH HEIGHT DEPTH CHANNELS OUT.png are needed");
+    Shape shape = {.dimensions = atoi(argv[3]),
+                   .size = {atoi(argv[4]), atoi(argv[5]), atoi(argv[6])},
+                   .channels = atoi(argv[7])};
+    size_t count = check_values(&(Check){.shape = shape});
+    float *values[2] = {values_or_end(argv[1], count), values_or_end(argv[2], count)};
+    Sheet sheet = sheet_of(&shape);
     int width = sheet.width * sheet.scale, height = sheet.height * sheet.scale;
     Image images[3], gap = image_make(sheet.scale, height, 3);
-    float scale = largest(wanted, check_values(check));
     for (int i = 0; i < 2; i++) {
         images[i] = image_make(width, height, 3);
-        paint(&images[i], &sheet, check, i ? wanted : got, scale);
+        paint(&images[i], &sheet, &shape, values[i], largest(values[1], count));
+        free(values[i]);
     }
     images[2] = image_difference(&images[0], &images[1]);
     for (size_t i = 0; i < (size_t)gap.width * (size_t)gap.height * 3; i++)
         gap.pixels[i] = 1;
     Image all = image_beside((const Image *const[]){&images[0], &gap, &images[1], &gap, &images[2]}, 5);
-    image_write(path, &all, 0);
+    image_write(argv[8], &all, 0);
     image_free(&all);
     image_free(&gap);
     for (int i = 0; i < 3; i++)
         image_free(&images[i]);
-    return true;
+    return 0;
 }
