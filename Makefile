@@ -43,7 +43,7 @@ SLOW     := $(call objects,tests/slow_*.c)
 SUPPORT  := $(call objects,tests/support*.c)
 TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/triangle.c))
 # The graders' programs, one main each; the rest of tests/grade/ is a library that they and the tests share.
-GRADERS  := grade prove margins course
+GRADERS  := grade prove margins course course_picture
 GRADE    := $(filter-out $(GRADERS:%=$(OBJ)/tests/grade/%.c.o),$(call objects,tests/grade/*.c))
 SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c)
 
@@ -111,7 +111,7 @@ $(BUILD)/exercise_commands: FORCE
 	@mkdir -p $(@D)
 	@{ printf '%s\n' $(CC) -D_GNU_SOURCE -I@/common $(SYSTEM) $(filter-out -Werror,$(CFLAGS)); echo; printf '%s\n' $(LDLIBS) -lstdc++; } >$@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
-EXERCISES := $(BUILD)/exercise_commands $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
+EXERCISES := $(BUILD)/course_picture $(BUILD)/exercise_commands $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
 $(GRADERS:%=$(BUILD)/%): $(BUILD)/%: $(OBJ)/tests/grade/%.c.o $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	$(call LINK,-ljansson)
 
@@ -157,6 +157,7 @@ margins: $(BUILD)/margins $(GRADING) $(BUILD)/wrong.made ## how far solutions an
 $(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	@mkdir -p $(@D)
 	$(call LINK,-lcriterion -ljansson)
+$(BUILD)/only/test_course $(BUILD)/only/slow_course: | $(BUILD)/course $(GRADING)
 $(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	$(call LINK,-lcriterion -ljansson)
 $(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
@@ -168,7 +169,7 @@ $(BUILD)/only/test_grade $(BUILD)/only/slow_grade $(BUILD)/test_all $(BUILD)/tes
 test: ## install what tests need, build, run every fast test; JUnit in build/junit.xml
 	@$(MAKE) deps-test
 	@$(MAKE) test-now
-test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all
+test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all $(BUILD)/course $(GRADING)
 	@sh tests/tools/run_tests.sh $(BUILD)/test_all $(BUILD)/junit.xml
 
 test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants, the README's commands (TESTED=1: make test has just passed)
@@ -180,7 +181,7 @@ test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants,
 	@$(MAKE) test-exercise-mutants
 	@$(MAKE) test-readme
 	@cat $(BUILD)/*.synthesis $(BUILD)/sanitize/*.synthesis $(BUILD)/clang/*.synthesis
-test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow
+test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow $(BUILD)/course $(GRADING)
 	@sh tests/tools/run_tests.sh $(BUILD)/test_slow $(BUILD)/junit_slow.xml
 test-clang:
 	@$(MAKE) CC=clang BUILD=build/clang WERROR=1 test-now
