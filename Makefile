@@ -157,7 +157,7 @@ margins: $(BUILD)/margins $(GRADING) $(BUILD)/wrong.made ## how far solutions an
 $(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	@mkdir -p $(@D)
 	$(call LINK,-lcriterion -ljansson)
-$(BUILD)/only/test_course $(BUILD)/only/slow_course: | $(BUILD)/course $(GRADING)
+$(BUILD)/only/test_course $(BUILD)/only/test_course_manifest $(BUILD)/only/slow_course: | $(BUILD)/course $(GRADING)
 $(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	$(call LINK,-lcriterion -ljansson)
 $(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a

@@ -48,8 +48,8 @@ bool answer_read(const char *file, const char *name, double *answer, char **why)
     else if (is_blank(value))
         *why = text_format("%s:%d: \"%s =\" has no number yet", file, at, name);
     else if (*answer = strtod(value, &end), end == value || !is_blank(end) || !isfinite(*answer))
-        *why = text_format("%s:%d: \"%s = %.*s\" is no number", file, at, name, (int)strcspn(value, "\n"),
-                           value);
+        *why =
+            text_format("%s:%d: \"%s =%.*s\" is no number", file, at, name, (int)strcspn(value, "\n"), value);
     free(text);
     return !*why;
 }
