@@ -222,7 +222,7 @@ figures: $(PROGRAMS) $(BUILD)/figure ## measure each chapter's sweep and stabili
 	@for chapter in $(CHAPTERS); do sh tests/tools/figures.sh $(BUILD) $$chapter || exit 1; done
 
 # --- for those who change the code -------------------------------------------------------------------------------------------
-FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch] tests/grade/*.[ch]))
+FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch] tests/grade/*.[ch] solutions/*/*.[ch]))
 format: ## clang-format every C and C++ file in place
 	clang-format -i $(FORMATTED)
 lint: compile_commands.json ## format, clang-tidy, cppcheck, include edges, line counts, unused shaders and functions
