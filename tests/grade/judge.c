@@ -194,26 +194,33 @@ static bool builds(const Judge *judge, const Attempt *attempt, const char *tree,
     return good;
 }
 
+// Why there is no output: the program's failure or the answer file's.
+static char *no_output(const Entry *entry, const Outcome *outcome)
+{
+    drop_folder(outcome->why, "submitted/");
+    if (entry->kind == EXERCISE_MEASURE)
+        return text_format("%s.", outcome->why);
+    bool printed = outcome->text && *outcome->text;
+    return text_format("Your program %s.%s%.1000s", outcome->why, printed ? " It printed:\n" : "",
+                       printed ? outcome->text : "");
+}
+
 static void judge_check(const Judge *judge, const Attempt *attempt, const Reference *reference, int i,
                         Verdict *verdict)
 {
     Outcome outcome = attempt_run(attempt, verdict->check, judge->seed);
-    size_t count = check_values(verdict->check);
     if (outcome.values) {
+        const float *wanted = reference->values[i];
         Comparison comparison =
-            compare_values(outcome.values, reference->values[i], count, verdict->check->tolerance);
+            compare_values(outcome.values, wanted, check_values(verdict->check), verdict->check->tolerance);
         verdict->ratio = comparison.ratio;
         decide(verdict, comparison.wrong ? GRADE_FAILED : GRADE_PASSED,
-               judge_words(verdict->check, &comparison, outcome.values, reference->values[i]));
+               judge_words(verdict->check, &comparison, outcome.values, wanted));
     } else {
         char *machine = outcome.machine_failed ? text_format("your program %s", outcome.why)
                                                : machine_failure(judge, attempt->entry);
         decide(verdict, machine ? GRADE_NOT_GRADED : GRADE_FAILED,
-               machine ? machine
-                       : text_format("Your %s %s.%s%.1000s",
-                                     attempt->entry->kind == EXERCISE_MEASURE ? "answer" : "program",
-                                     outcome.why, outcome.text && *outcome.text ? " It printed:\n" : "",
-                                     outcome.text ? outcome.text : ""));
+               machine ? machine : no_output(attempt->entry, &outcome));
     }
     verdict->values = outcome.values;
     outcome.values = NULL;

@@ -10,6 +10,10 @@ char *judge_words(const Check *check, const Comparison *comparison, const float 
     const char *unit = check->shape.unit ? check->shape.unit : "", *space = *unit ? " " : "";
     if (!comparison->wrong)
         return text_format("Right: %s.", check->asks);
+    if (!check->input) // an answer that is told need not be measured
+        return text_format(
+            "Asked for: %s. %g is farther from what we measured than %.3g, which is allowed since %s.",
+            check->asks, (double)got[0], tolerance_at(check->tolerance, (double)wanted[0]), check->because);
     size_t i = comparison->first;
     char *where = report_where(&check->shape, i);
     const char *are = comparison->count > 1 ? "numbers are" : "number is";
