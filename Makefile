@@ -109,7 +109,8 @@ $(BUILD)/stubs.made $(BUILD)/solutions.made: $(BUILD)/%.made: $(SOLUTIONS) tests
 # How an exercise is compiled and linked, for the programs that do it: a word a line, the linker's after an empty one; @ stands for this folder.
 $(BUILD)/exercise_commands: FORCE
 	@mkdir -p $(@D)
-	@{ printf '%s\n' $(CC) -D_GNU_SOURCE -I@/common $(SYSTEM) $(filter-out -Werror,$(CFLAGS)); echo; printf '%s\n' $(LDLIBS) -lstdc++; } >$@.new
+	@{ printf '%s\n' $(CC) -D_GNU_SOURCE -I@/common $(SYSTEM) $(filter-out -Werror,$(CFLAGS)) \
+	  $(if $(findstring clang,$(CC)),-ferror-limit=2,-fmax-errors=2); echo; printf '%s\n' $(LDLIBS) -lstdc++; } >$@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 EXERCISES := $(BUILD)/course_picture $(BUILD)/exercise_commands $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
 $(GRADERS:%=$(BUILD)/%): $(BUILD)/%: $(OBJ)/tests/grade/%.c.o $(BUILD)/libgrade.a $(BUILD)/libcommon.a

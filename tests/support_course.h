@@ -15,7 +15,7 @@ const char *course_shell(int *status, const char *command);
 const char *course_says(int status, const char *command);
 // course in that folder: its tree $T/tree, progress $T/progress. `made` is the tree to begin with: stubs or solutions.
 void course_tree(const char *made);
-#define COURSE "$B/course --tree $T/tree --build $B --out $T/out --progress $T/progress "
+#define COURSE "$B/course --tree $T/tree --build $B --out $T/out --work $T/work --progress $T/progress "
 
 void course_write(const char *name, const char *text); // a file of the folder
 // Every word list ends with NULL: all must stand in the text, none of them.

@@ -240,7 +240,7 @@ Test(course, a_handout_can_be_worked_in)
            "sh tests/tools/handout.sh $T/handout 01.1 01.4 && cp -R $B/stubs/01_voxelization/dominant_axis.c "
            "$T/keep.c",
            "2 exercises");
-#define THERE "cd $T/handout && $B/course --build $B --progress $T/progress "
+#define THERE "cd $T/handout && $B/course --build $B --work $T/work --progress $T/progress "
     EXPECT(0, THERE "next", "01.1", "exercises/01_voxelization/dominant_axis.c");
     EXPECT(1, THERE "check 01.4", "0 of 3 checks pass");
     EXPECT(0, THERE "hint 01.4", "Hint 1");

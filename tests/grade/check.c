@@ -41,7 +41,7 @@ static bool files_there(const Course *course, const Entry *entry)
 
 static bool build(const Attempt *attempt)
 {
-    ConfineResult result = attempt_build(attempt, (const char *const[]){"-fmax-errors=2", NULL});
+    ConfineResult result = attempt_build(attempt, NULL);
     bool good = result.end == CONFINE_EXIT && result.status == 0;
     if (!good)
         puts("  It does not compile, so nothing was checked:\n");
@@ -206,7 +206,7 @@ int course_check(Course *course, const Entry *entry)
     printf("%s  %s\n\n", entry->id, entry->title);
     bool passes = false;
     if (files_there(course, entry)) {
-        char *folder = text_format("%s/check/%s", course->build, entry->id);
+        char *folder = text_format("%s/%s", course->work, entry->id);
         Attempt attempt = attempt_open(entry, course->tree, course->build, folder);
         free(folder);
         if (entry->kind == EXERCISE_MEASURE || build(&attempt)) {

@@ -1,5 +1,5 @@
 // course: the commands behind make next, progress, check, hint, solution, watch and record.
-//   course [--tree DIR] [--build DIR] [--data DIR] [--out DIR] [--solutions DIR] [--progress FILE] [--manifest FILE] COMMAND [ID]
+//   course [--tree DIR] [--build DIR] [--data DIR] [--out DIR] [--work DIR] [--solutions DIR] [--progress FILE] [--manifest FILE] COMMAND [ID]
 #include "course.h"
 
 #include <getopt.h>
@@ -15,9 +15,10 @@ static Course course_open(int argc, char **argv)
                      .out = "out",
                      .solutions = "solutions",
                      .progress_file = ".progress"};
-    static const char *const names[] = {"tree", "build", "data", "out", "solutions", "progress", "manifest"};
+    static const char *const names[] = {"tree",      "build",    "data",     "out",
+                                        "solutions", "progress", "manifest", "work"};
     const char **values[] = {&course.tree,      &course.build,         &course.data, &course.out,
-                             &course.solutions, &course.progress_file, &manifest};
+                             &course.solutions, &course.progress_file, &manifest,    &course.work};
     enum { COUNT = sizeof names / sizeof *names };
     struct option options[COUNT + 1] = {0};
     for (int i = 0; i < COUNT; i++)
@@ -27,6 +28,8 @@ static Course course_open(int argc, char **argv)
             exit(2); // getopt has said which
         *values[option] = optarg;
     }
+    if (!course.work)
+        course.work = text_format("%s/check", course.build); // lives as long as the program
     course.manifest = manifest_open(manifest, "tests/grade/manifest.schema.json");
     progress_read(&course);
     return course;

@@ -7,6 +7,7 @@
 typedef struct Course {
     Manifest manifest;
     const char *tree, *build, *data, *out; // exercises/, build/, tests/data/, out/
+    const char *work;                      // build/check: where programs are built and run
     const char *solutions;                 // solutions/; a handout has none
     const char *progress_file;             // .progress
     json_t *progress;                      // {"01.2": {"solved": true, "passes": true, "hints": 1}, …}
