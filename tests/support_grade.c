@@ -60,7 +60,9 @@ void grade_case_write(const GradeCase *one, const char *path, const char *text)
     folder_make(folder);
     unlink(whole);
     FILE *file = fopen(whole, "w");
-    cr_assert(file && fputs(text, file) >= 0 && fclose(file) == 0, "%s", whole);
+    cr_assert(file, "%s", whole);
+    bool written = fputs(text, file) >= 0;
+    cr_assert(fclose(file) == 0 && written, "%s", whole);
     free(folder);
     free(whole);
 }

@@ -27,12 +27,10 @@ static void open_folder(void)
     confine_folder(folder);
 }
 
+// Criterion does not count what fails here: each test asks for itself whether it left something.
 static void close_folder(void)
 {
     confine_folder_remove(folder);
-    cr_assert(access(folder, F_OK) != 0, "what a child leaves can be removed");
-    int children = 0;
-    cr_assert_eq(waitpid(-1, &children, WNOHANG), -1, "no process is left");
 }
 
 static ConfineResult shell_within(const char *script, ConfineLimits limits)
@@ -119,6 +117,7 @@ BOTH(a_fork_bomb_ends)
     brief.wall_seconds = 0.5;
     ConfineResult result = shell_within("bomb() { bomb | bomb & bomb; }; bomb", brief);
     cr_assert(result.end != CONFINE_NOT_RUN && result.seconds < 5, "end %d", result.end);
+    cr_assert_eq(waitpid(-1, NULL, WNOHANG), -1, "a process is left");
     free(result.text);
 }
 
@@ -129,6 +128,7 @@ BOTH(what_it_leaves_running_is_killed)
                                  "! [ -s number ]; do :; done");
     cr_assert_eq(result.end, CONFINE_EXIT, "%s", result.text);
     cr_assert_lt(result.seconds, 4, "nobody waits for it");
+    cr_assert_eq(waitpid(-1, NULL, WNOHANG), -1, "a process is left");
     free(result.text);
 }
 
@@ -172,6 +172,8 @@ BOTH(stubborn_folders_are_removed)
     // Deep, and closed to their owner; close_folder asks whether they are gone.
     ConfineResult result = shell("for i in $(seq 40); do mkdir d && cd d; done; mkdir shut; chmod 0 shut");
     cr_assert_eq(result.end, CONFINE_EXIT, "%s", result.text);
+    confine_folder_remove(folder);
+    cr_assert(access(folder, F_OK) != 0, "what a child leaves can be removed");
     free(result.text);
 }
 
