@@ -42,7 +42,10 @@ TESTS    := $(call objects,tests/test_*.c)
 SLOW     := $(call objects,tests/slow_*.c)
 SUPPORT  := $(call objects,tests/support*.c)
 TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/triangle.c))
-SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c)
+# The graders' programs, one main each; the rest of tests/grade/ is a library that they and the tests share.
+GRADERS  := grade prove margins course course_picture
+GRADE    := $(filter-out $(GRADERS:%=$(OBJ)/tests/grade/%.c.o),$(call objects,tests/grade/*.c))
+SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c)
 
 export BUILD
 export MESA_SHADER_CACHE_DIR := $(abspath $(if $(filter build/%,$(BUILD)),build,$(BUILD)))/mesa-cache
@@ -56,7 +59,7 @@ STAMP = @mkdir -p $(@D); echo '$(1)' | cmp -s - $@ || echo '$(1)' > $@
 $(BUILD)/flags: FORCE
 	$(call STAMP,$(CC) $(CXX) $(CPPFLAGS) $(CFLAGS) $(CXXFLAGS))
 $(BUILD)/members: FORCE
-	$(call STAMP,$(COMMON) $(TECHNIQUES))
+	$(call STAMP,$(COMMON) $(TECHNIQUES) $(GRADE))
 FORCE:
 
 $(OBJ)/%.c.o: %.c $(BUILD)/flags
@@ -76,6 +79,8 @@ $(BUILD)/libcommon.a: $(COMMON) $(BUILD)/members
 	$(ARCHIVE)
 $(BUILD)/libtechniques.a: $(TECHNIQUES) $(BUILD)/members
 	$(ARCHIVE)
+$(BUILD)/libgrade.a: $(GRADE) $(BUILD)/members
+	$(ARCHIVE)
 
 LINK = $(call SAY,link,$@)$(CXX) $(SANITIZE) $(filter %.o %.a,$^) $(1) $(LDLIBS) -o $@
 define CHAPTER
@@ -94,20 +99,78 @@ $(BUILD)/triangle: $(OBJ)/tests/triangle.c.o $(call objects,common/base*.c commo
 $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)): $(BUILD)/%: $(OBJ)/tests/tools/%.c.o $(BUILD)/libcommon.a
 	$(call LINK)
 
+# --- exercises ------------------------------------------------------------------------------------------------------------
+# solutions/ holds answers and stubs in one file; tests judge the two trees that are cut from it, never what a student has made of exercises/.
+SOLUTIONS := $(wildcard solutions/*/*)
+$(BUILD)/stubs.made $(BUILD)/solutions.made: $(BUILD)/%.made: $(SOLUTIONS) tests/tools/exercises.sh
+	@mkdir -p $(@D)
+	@sh tests/tools/exercises.sh $* $(BUILD)/$*
+	@touch $@
+# How an exercise is compiled and linked, for the programs that do it: a word a line, the linker's after an empty one; @ stands for this folder.
+$(BUILD)/exercise_commands: FORCE
+	@mkdir -p $(@D)
+	@{ printf '%s\n' $(CC) -D_GNU_SOURCE -I@/common $(SYSTEM) $(filter-out -Werror,$(CFLAGS)) \
+	  $(if $(findstring clang,$(CC)),-ferror-limit=2,-fmax-errors=2); echo; printf '%s\n' $(LDLIBS) -lstdc++; } >$@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+EXERCISES := $(BUILD)/course_picture $(BUILD)/exercise_commands $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
+$(GRADERS:%=$(BUILD)/%): $(BUILD)/%: $(OBJ)/tests/grade/%.c.o $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+	$(call LINK,-ljansson)
+
+next: $(BUILD)/course ## the first exercise that you have not solved: what to do, what to read, which file to open
+	@$(BUILD)/course next
+progress: $(BUILD)/course ## how far you are
+	@$(BUILD)/course progress
+check: $(BUILD)/course $(EXERCISES) ## does your exercise work? EX=01.2 names it, else it is the first unsolved
+	@$(BUILD)/course check $(EX)
+watch: $(BUILD)/course $(EXERCISES) ## check EX=01.2 again whenever you save
+	@$(BUILD)/course watch $(EX)
+hint: $(BUILD)/course ## the next of three hints for EX=01.2
+	@$(BUILD)/course hint $(EX)
+solution: $(BUILD)/course ## our solution of EX=01.2, once yours passes
+	@$(BUILD)/course solution $(EX)
+exercises: ## make exercises/ from solutions/; files that you have worked on stay as they are
+	@sh tests/tools/exercises.sh update
+record: $(BUILD)/course $(EXERCISES) $(BUILD)/solutions.made ## for authors: record what EX=01.2 should give, and what each known mistake gives
+	@rm -rf $(BUILD)/wrong/$(EX)
+	@for diff in tests/mutants/exercises/$(or $(EX),none)/*.diff; do name=$$(basename $$diff .diff); \
+	  sh tests/tools/exercises.sh wrong $(EX) $$name $(BUILD)/wrong/$(EX)/$$name || exit 1; done
+	@$(BUILD)/course record $(EX)
+handout: ## for instructors: what a student gets, into DIR=folder; EX="01.1 01.2" chooses, else all
+	@sh tests/tools/handout.sh "$(DIR)" $(EX)
+
+# Both trees and all that a program is linked with: what a grader copies to a scratch folder of its own.
+GRADING := $(EXERCISES) $(BUILD)/stubs.made $(BUILD)/solutions.made
+grade: $(BUILD)/grade $(GRADING) ## for instructors: grade DIR=submission into OUT=folder (out/grade); SEED=n for the same inputs again, EX="02.2 02.3"
+	@$(BUILD)/grade "$(DIR)" "$(or $(OUT),out/grade)" --seed "$(SEED)" --exercises "$(EX)"
+# Each mistake of tests/mutants/exercises/ID/ in a tree of its own.
+$(BUILD)/wrong.made: $(SOLUTIONS) $(wildcard tests/mutants/exercises/*/*.diff) tests/tools/exercises.sh
+	@rm -rf $(BUILD)/wrong && mkdir -p $(BUILD)/wrong
+	@for diff in $(wildcard tests/mutants/exercises/*/*.diff); do id=$$(basename $$(dirname $$diff)) name=$$(basename $$diff .diff); \
+	  sh tests/tools/exercises.sh wrong $$id $$name $(BUILD)/wrong/$$id/$$name || exit 1; done
+	@touch $@
+test-exercise-mutants: $(BUILD)/prove $(GRADING) $(BUILD)/wrong.made ## each solution must get all points, each stub none, each known mistake lose just what its table says and earn its sentence
+	@$(BUILD)/prove $(EX)
+margins: $(BUILD)/margins $(GRADING) $(BUILD)/wrong.made ## how far solutions and mistakes keep from each tolerance, over compilers, optimization, GL platforms, threads
+	@$(BUILD)/margins $(EX)
+
 # --- tests ----------------------------------------------------------------------------------------------------------------
 # One test file alone: make build/only/test_scene. A chapter's test (test_01_…) is linked with its chapter's technique.
-$(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
+$(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	@mkdir -p $(@D)
-	$(call LINK,-lcriterion)
-$(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
-	$(call LINK,-lcriterion)
-$(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
-	$(call LINK,-lcriterion)
+	$(call LINK,-lcriterion -ljansson)
+$(BUILD)/only/test_course $(BUILD)/only/test_course_manifest $(BUILD)/only/slow_course: | $(BUILD)/course $(GRADING)
+$(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+	$(call LINK,-lcriterion -ljansson)
+$(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+	$(call LINK,-lcriterion -ljansson)
+
+# Graders' tests compile exercises themselves.
+$(BUILD)/only/test_grade $(BUILD)/only/slow_grade $(BUILD)/test_all $(BUILD)/test_slow: | $(GRADING)
 
 test: ## install what tests need, build, run every fast test; JUnit in build/junit.xml
 	@$(MAKE) deps-test
 	@$(MAKE) test-now
-test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all
+test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all $(BUILD)/course $(GRADING)
 	@sh tests/tools/run_tests.sh $(BUILD)/test_all $(BUILD)/junit.xml
 
 test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants, the README's commands (TESTED=1: make test has just passed)
@@ -116,9 +179,10 @@ test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants,
 	@$(MAKE) sanitize
 	@$(MAKE) test-clang
 	@$(MAKE) test-mutants
+	@$(MAKE) test-exercise-mutants
 	@$(MAKE) test-readme
 	@cat $(BUILD)/*.synthesis $(BUILD)/sanitize/*.synthesis $(BUILD)/clang/*.synthesis
-test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow
+test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow $(BUILD)/course $(GRADING)
 	@sh tests/tools/run_tests.sh $(BUILD)/test_slow $(BUILD)/junit_slow.xml
 test-clang:
 	@$(MAKE) CC=clang BUILD=build/clang WERROR=1 test-now
@@ -159,7 +223,7 @@ figures: $(PROGRAMS) $(BUILD)/figure ## measure each chapter's sweep and stabili
 	@for chapter in $(CHAPTERS); do sh tests/tools/figures.sh $(BUILD) $$chapter || exit 1; done
 
 # --- for those who change the code -------------------------------------------------------------------------------------------
-FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch]))
+FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch] tests/grade/*.[ch] solutions/*/*.[ch]))
 format: ## clang-format every C and C++ file in place
 	clang-format -i $(FORMATTED)
 lint: compile_commands.json ## format, clang-tidy, cppcheck, include edges, line counts, unused shaders and functions
@@ -173,6 +237,6 @@ help: ## this list
 	@awk -f tests/tools/help.awk $(firstword $(MAKEFILE_LIST))
 	@for chapter in $(CHAPTERS); do printf '  %-16s build and open chapters/%s (ARGS="--help" lists its options)\n' $${chapter%%_*} $$chapter; done
 
--include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c))
+-include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c))
 .PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
-  lessons lessons-check pictures figures format lint clean help FORCE
+  grade test-exercise-mutants margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures format lint clean help FORCE

@@ -169,7 +169,8 @@ const char *file_begin(const char *path)
         fail_work("%s: cannot be written: %s", path, strerror(errno));
     Unfinished *file = memory_new(1, sizeof *file, path);
     file->direct = exists && !S_ISREG(status.st_mode);
-    file->path = exists ? realpath(path, NULL) : strdup(path); // behind a symbolic link, not in its place
+    // Behind a symbolic link, not in its place. A pipe has no path to be resolved: /dev/stdout leads to none.
+    file->path = exists && !file->direct ? realpath(path, NULL) : strdup(path);
     if (!file->path)
         fail_work("%s: cannot be written: %s", path, strerror(errno));
     const char *slash = strrchr(file->path, '/'), *name = slash ? slash + 1 : file->path,

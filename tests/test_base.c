@@ -231,6 +231,20 @@ Test(base, file_that_cannot_be_written_says_which_and_why, .init = open_folder, 
     cr_assert(failure_says(&gone, target), "%s", gone.message);
 }
 
+Test(base, a_pipe_is_written_directly_though_it_has_no_path)
+{
+    int ends[2];
+    cr_assert_eq(pipe(ends), 0);
+    char *path = text_format("/proc/self/fd/%d", ends[1]), got[4] = "";
+    const char *temporary = file_begin(path);
+    FILE *file = fopen(temporary, "w");
+    cr_assert(file && fputs("abc", file) >= 0 && fclose(file) == 0, "%s: %s", temporary, strerror(errno));
+    file_commit(temporary);
+    cr_assert_eq(read(ends[0], got, 3), 3);
+    cr_assert_str_eq(got, "abc");
+    free(path);
+}
+
 Test(base, device_is_written_not_replaced)
 {
     struct stat before, after;

@@ -10,6 +10,7 @@ BEGIN {
     allowed["raster"] = " gl shader scene linear "
     allowed["truth"] = " scene linear "
     allowed["measure"] = " image "
+    allowed["exercise"] = " "
     allowed["run"] = " gl shader linear image scene raster truth measure "
     bad = 0
 }

@@ -19,5 +19,5 @@ END {
     if (thin >= 600) { print "gl and shader have " thin " lines of code together; fewer than 600 are wanted"; bad = 1 }
     if (common >= 4500) { print "common has " common " lines of code; fewer than 4500 are wanted"; bad = 1 }
     exit bad
-}' $(find common chapters shaders tests -type f \( -name '*.[ch]' -o -name '*.cpp' -o -name '*.sh' -o -name '*.awk' -o -name '*.glsl' -o -name '*.vert' \
+}' $(find common chapters shaders tests $(ls -d solutions 2>/dev/null || true) -type f \( -name '*.[ch]' -o -name '*.cpp' -o -name '*.sh' -o -name '*.awk' -o -name '*.glsl' -o -name '*.vert' \
     -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.tesc' -o -name '*.tese' \) | sort) </dev/null

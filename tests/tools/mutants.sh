@@ -12,6 +12,7 @@ mutants=$root/build/mutants whole=$root/build/mutants/whole
 rm -rf "$mutants" && mkdir -p "$whole/build" || exit 1
 # Objects of build/ come with their times, so that only what has changed since is compiled.
 cp -a Makefile common chapters shaders tests "$whole" || exit 1
+for part in exercises solutions; do if [ -d $part ]; then cp -a $part "$whole"; fi; done
 for part in obj libcommon.a libtechniques.a flags members mesa-cache; do
     if [ -e "build/$part" ]; then cp -a "build/$part" "$whole/build/"; fi
 done

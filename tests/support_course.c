@@ -1,0 +1,93 @@
+// support_course: see support_course.h.
+#include "support_course.h"
+#include "base.h"
+
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+enum { KEPT = 64 };
+
+static struct {
+    char folder[32], *build;
+    char *said[KEPT];
+    int count;
+} state;
+
+void course_folder_make(void)
+{
+    strcpy(state.folder, "/tmp/course_XXXXXX");
+    cr_assert(mkdtemp(state.folder));
+    cr_assert_eq(chmod(state.folder, 0755), 0); // a confined child reads in it
+    state.build = realpath(getenv("BUILD") && *getenv("BUILD") ? getenv("BUILD") : "build", NULL);
+    cr_assert(state.build, "make builds first");
+}
+
+void course_folder_remove(void)
+{
+    int status;
+    course_shell(&status, "chmod -R u+rwx $T; rm -rf $T");
+    for (int i = 0; i < state.count; i++)
+        free(state.said[i]);
+    free(state.build);
+    state.count = 0;
+}
+
+const char *course_folder(void)
+{
+    return state.folder;
+}
+
+const char *course_shell(int *status, const char *command)
+{
+    char *whole = text_format("T=%s B=%s; export T B; unset MAKEFLAGS MFLAGS; { %s\n} </dev/null 2>&1",
+                              state.folder, state.build, command);
+    FILE *pipe = popen(whole, "r");
+    free(whole);
+    char *text = NULL;
+    size_t bytes = 0;
+    FILE *out = open_memstream(&text, &bytes);
+    for (int c; pipe && (c = getc(pipe)) != EOF;)
+        putc(c, out);
+    fclose(out);
+    int ended = pipe ? pclose(pipe) : -1;
+    *status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+    cr_assert(state.count < KEPT);
+    return state.said[state.count++] = text;
+}
+
+const char *course_says(int status, const char *command)
+{
+    int ended;
+    const char *text = course_shell(&ended, command);
+    cr_assert_eq(ended, status, "%s: status %d, not %d: %s", command, ended, status, text);
+    return text;
+}
+
+void course_tree(const char *made)
+{
+    char *command = text_format("rm -rf $T/tree && cp -R $B/%s $T/tree", made);
+    course_says(0, command);
+    free(command);
+}
+
+void course_write(const char *name, const char *text)
+{
+    char *path = text_format("%s/%s", state.folder, name);
+    char *folder = text_format("%.*s", (int)(strrchr(path, '/') - path), path);
+    folder_make(folder);
+    FILE *file = fopen(path, "w");
+    cr_assert(file && fputs(text, file) >= 0 && fclose(file) == 0, "%s", path);
+    free(folder);
+    free(path);
+}
+
+bool course_has(const char *text, const char *const *words)
+{
+    for (; *words; words++)
+        if (!strstr(text, *words))
+            return false;
+    return true;
+}
