@@ -45,6 +45,25 @@ void raster_depth_map_delete(DepthMap *map);
 void raster_depth_map_draw(const Raster *raster, const DepthMap *map, const Light *light,
                            const RasterMesh *mesh);
 
+// The surfaces that a light reaches first, each texel a small light of its own (Dachsbacher and Stamminger, "Reflective shadow maps", 2005,
+// section 3). Framed as raster_depth_map without a camera, since what the camera does not see lights what it sees; `depth` is that depth
+// map, drawn in the same pass, so that raster_light_add and shaders/common/shadow.glsl take it. Texels without a surface are 0 (distance: +Inf).
+// Summed over all texels, flux is what the surfaces reflect: 4π·I·ρ (point, all of whose rays hit), 2π(1 − cos)·I·ρ (spot, up to the texels
+// that the cone's border crosses: a texel counts where its centre is inside), E·area·ρ (directional, area across the light).
+typedef struct ReflectiveMap {
+    DepthMap depth;
+    GLuint position; // RGBA32F: metres from depth.origin; w is 1 where there is a surface
+    GLuint normal;   // RGBA16F: unit, on the side that is lit
+    GLuint
+        flux; // RGBA32F: reflected by the surface in W, a colour channel each: I · solid angle of the texel · albedo, inside the
+        // light's radius r0 times (d/r0)²; directional: irradiance · area of the texel across the light · albedo
+    GLuint nearest, framebuffer; // the pass's own: a depth buffer
+} ReflectiveMap;
+ReflectiveMap raster_reflective_map(const Scene *scene, const Light *light, int resolution);
+void raster_reflective_map_delete(ReflectiveMap *map);
+void raster_reflective_map_draw(const Raster *raster, const ReflectiveMap *map, const Light *light,
+                                const RasterMesh *mesh);
+
 // What the camera sees, a texel a pixel: distance along the ray in metres (R32F, +Inf for the sky), world normal on the side that is seen
 // (RGBA16F, unit length), albedo (RGBA16F: 8 bits would be 4 % wrong at 0.05), emission (RGBA16F), triangle number + 1 (R32UI); 0 for the sky. Nothing
 // nearer than the camera's near distance is drawn; its far distance cuts nothing off.
