@@ -1,12 +1,14 @@
 // Reflective shadow map, first stage: as depth_map.vert and depth_cube.vert, so that both kinds of map see the same, and the normal.
+#if MAP_KIND == 0 // cube: instance i of the mesh goes to face i
+#extension GL_ARB_shader_viewport_layer_array : require
+#endif
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 uniform vec3 origin;
 out vec3 from_origin;
 out vec3 surface_normal;
 
-#if MAP_KIND == 0 // cube: instance i of the mesh goes to face i
-#extension GL_ARB_shader_viewport_layer_array : require
+#if MAP_KIND == 0
 #include "common/cube.glsl"
 uniform float near_distance;
 
