@@ -21,7 +21,7 @@ TruthHit truth_ray(const Truth *truth, vec3 origin, vec3 direction);
 // Whether a triangle crosses the open segment. So that its ends may be float32 points of surfaces, the larger of 2^-16 of its length
 // and 2^-21 of the largest coordinate of either end (4 units in its last place) is left out at both ends.
 bool truth_occluded(const Truth *truth, vec3 from, vec3 to);
-// The same for `count` segments on all cores: segment i is bit i & 31 of word i >> 5, in new memory (at least one word).
+// The same for `count` segments on all cores: segment i is bit i & 31 of word i >> 5, in new memory.
 uint32_t *truth_occluded_many(const Truth *truth, const vec3 *from, const vec3 *to, size_t count);
 
 // Light by path tracing (Kajiya 1986). The model, the same as that of the G-buffer and raster_light_add:
