@@ -41,6 +41,10 @@ typedef struct DepthMap {
 } DepthMap;
 DepthMap raster_depth_map(const Scene *scene, const Light *light, int resolution, const Camera *fit_to,
                           float aspect);
+// The same map, which keeps its memory, for a light or camera that has moved.
+void raster_depth_map_aim(DepthMap *map, const Scene *scene, const Light *light, const Camera *fit_to,
+                          float aspect);
+bool raster_depth_map_is_cube(const Light *light);
 void raster_depth_map_delete(DepthMap *map);
 void raster_depth_map_draw(const Raster *raster, const DepthMap *map, const Light *light,
                            const RasterMesh *mesh);
@@ -54,9 +58,9 @@ typedef struct ReflectiveMap {
     DepthMap depth;
     GLuint position; // RGBA32F: metres from depth.origin; w is 1 where there is a surface
     GLuint normal;   // RGBA16F: unit, on the side that is lit
-    GLuint
-        flux; // RGBA32F: reflected by the surface in W, a colour channel each: I · solid angle of the texel · albedo, inside the
-        // light's radius r0 times (d/r0)²; directional: irradiance · area of the texel across the light · albedo
+    // RGBA32F: reflected by the surface in W, a colour channel each: I · solid angle of the texel · albedo, inside the light's
+    // radius r0 times (d/r0)²; directional: irradiance · area of the texel across the light · albedo
+    GLuint flux;
     GLuint nearest, framebuffer; // the pass's own: a depth buffer
 } ReflectiveMap;
 ReflectiveMap raster_reflective_map(const Scene *scene, const Light *light, int resolution);
