@@ -1,0 +1,198 @@
+// judge: see judge.h.
+#include "judge.h"
+#include <stdlib.h>
+#include <string.h>
+
+// Surface points and normals are the G-buffer's, rays are our own: rounded to 3e-6 of the distance to the eye, a point may lie that much behind
+// its triangle, and a shadow ray that starts there meets it. So it starts this share of the distance before the surface.
+static const float OFF_SURFACE = 1e-5f;
+
+static float *read_floats(GLuint texture, GLenum format, size_t channels, size_t pixels)
+{
+    const size_t bytes = memory_bytes(pixels, channels * sizeof(float), "a texture read back");
+    float *data = memory_new(pixels * channels, sizeof(float), "a texture read back");
+    gl_texture_read(texture, 0, format, GL_FLOAT, bytes, data);
+    return data;
+}
+
+// The eye's ray through the middle of a pixel, unit; row 0 is the bottom.
+static vec3 pixel_ray(const Camera *camera, int x, int y, int width, int height)
+{
+    const vec3 ahead = vec3_normalize(camera->target - camera->eye);
+    vec3 right = vec3_normalize(vec3_cross(ahead, camera->up));
+    if (vec3_length(right) < 0.5f) // straight up or down: as mat4_look_at takes another axis
+        return vec3_make(0, 0, 0);
+    const vec3 up = vec3_cross(right, ahead);
+    const float scale = 2.0f * tanf(0.5f * camera->vertical_fov_rad) / (float)height;
+    return vec3_normalize(ahead + scale * ((float)x + 0.5f - 0.5f * (float)width) * right +
+                          scale * ((float)y + 0.5f - 0.5f * (float)height) * up);
+}
+
+Visibility judge_visibility(const Asked *asked, const Truth *truth, size_t light_index)
+{
+    const int width = asked->gbuffer->width, height = asked->gbuffer->height;
+    const size_t pixels = (size_t)width * (size_t)height;
+    const Light *light = &asked->scene->lights[light_index];
+    const float sky_gap =
+        4.0f * vec3_length(asked->scene->upper - asked->scene->lower) +
+        vec3_length(asked->camera.eye - asked->scene->lower); // leaves the scene from anywhere
+    Visibility v = {width, height, read_floats(asked->visibility[light_index], GL_RED, 1, pixels),
+                    memory_new(pixels, sizeof(float), "the true visibilities")};
+    float *distance = read_floats(asked->gbuffer->distance, GL_RED, 1, pixels);
+    float *normals = read_floats(asked->gbuffer->normal, GL_RGBA, 4, pixels);
+    for (size_t i = 0; i < pixels; i++) {
+        v.truth[i] = -1.0f;
+        if (v.got[i] < 0.0f)
+            continue;
+        const vec3 ray =
+            pixel_ray(&asked->camera, (int)(i % (size_t)width), (int)(i / (size_t)width), width, height);
+        const vec3 normal = vec3_make(normals[4 * i], normals[4 * i + 1], normals[4 * i + 2]);
+        const vec3 point = asked->camera.eye + distance[i] * ray + OFF_SURFACE * distance[i] * (normal - ray);
+        const vec3 to =
+            light->kind == LIGHT_DIRECTIONAL ? point - sky_gap * light->direction : light->position;
+        v.truth[i] = truth_occluded(truth, point, to) ? 0.0f : 1.0f;
+    }
+    free(distance);
+    free(normals);
+    return v;
+}
+
+void judge_visibility_free(Visibility *visibility)
+{
+    free(visibility->got);
+    free(visibility->truth);
+}
+
+static bool is_wrong(const Visibility *v, size_t i)
+{
+    return v->truth[i] >= 0.0f && (v->got[i] >= 0.5f) != (v->truth[i] >= 0.5f);
+}
+
+// Squares of growing size about the pixel, until none of the rest can be nearer. The picture's diagonal where there is no other pixel.
+static double distance_to_edge(const Visibility *v, int x, int y)
+{
+    const float here = v->truth[(size_t)y * (size_t)v->width + (size_t)x];
+    double nearest = hypot(v->width, v->height);
+    for (int ring = 1; ring < nearest && (ring < v->width || ring < v->height); ring++)
+        for (int dy = -ring; dy <= ring; dy++) {
+            const int step = abs(dy) == ring ? 1 : 2 * ring;
+            for (int dx = -ring; dx <= ring; dx += step) {
+                const int px = x + dx, py = y + dy;
+                if (px < 0 || py < 0 || px >= v->width || py >= v->height)
+                    continue;
+                const float there = v->truth[(size_t)py * (size_t)v->width + (size_t)px];
+                if (there >= 0.0f && there != here)
+                    nearest = fmin(nearest, hypot(dx, dy));
+            }
+        }
+    return nearest;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+Judgement judge_of(const Visibility *visibilities, size_t count)
+{
+    Judgement sum = {0};
+    size_t wrong = 0, capacity = 0;
+    double *distances = NULL;
+    for (size_t l = 0; l < count; l++) {
+        const Visibility *v = &visibilities[l];
+        const size_t pixels = (size_t)v->width * (size_t)v->height;
+        for (size_t i = 0; i < pixels; i++) {
+            if (v->truth[i] < 0.0f)
+                continue;
+            sum.asked++;
+            sum.difference += fabs((double)v->got[i] - (double)v->truth[i]);
+            if (!is_wrong(v, i))
+                continue;
+            *(v->truth[i] > 0.5f ? &sum.dark : &sum.leaked) += 1;
+            if (wrong == capacity) {
+                capacity = capacity ? 2 * capacity : 256;
+                distances = memory_grow(distances, capacity, sizeof *distances, "the wrong pixels");
+            }
+            distances[wrong] = distance_to_edge(v, (int)(i % (size_t)v->width), (int)(i / (size_t)v->width));
+            sum.distance_mean += distances[wrong++];
+        }
+    }
+    const double asked = fmax(sum.asked, 1.0);
+    sum.wrong = (double)wrong / asked;
+    sum.dark /= asked;
+    sum.leaked /= asked;
+    sum.difference /= asked;
+    if (wrong > 0) {
+        qsort(distances, wrong, sizeof *distances, compare_doubles);
+        sum.distance_mean /= (double)wrong;
+        sum.distance_p99 = distances[(size_t)ceil(0.99 * (double)wrong) - 1];
+        sum.distance_most = distances[wrong - 1];
+    }
+    free(distances);
+    return sum;
+}
+
+Judgement judge(const Asked *asked, const Truth *truth)
+{
+    const size_t count = asked->scene->light_count;
+    Visibility *v = memory_new(count ? count : 1, sizeof *v, "the visibilities");
+    for (size_t i = 0; i < count; i++)
+        v[i] = judge_visibility(asked, truth, i);
+    Judgement judgement = judge_of(v, count);
+    for (size_t i = 0; i < count; i++)
+        judge_visibility_free(&v[i]);
+    free(v);
+    return judgement;
+}
+
+void judge_show(const Visibility *v, GLuint picture)
+{
+    const size_t pixels = (size_t)v->width * (size_t)v->height;
+    float *rgba = memory_new(pixels, 4 * sizeof(float), "the difference");
+    for (size_t i = 0; i < pixels; i++) {
+        const float grey = v->truth[i] < 0.0f ? 0.01f : 0.03f + 0.25f * v->truth[i];
+        const float error = v->truth[i] < 0.0f ? 0.0f : v->got[i] - v->truth[i];
+        const float shown[] = {grey + fmaxf(-error, 0.0f), grey, grey + fmaxf(error, 0.0f), 1.0f};
+        memcpy(rgba + 4 * i, shown, sizeof shown);
+    }
+    gl.TextureSubImage2D(picture, 0, 0, 0, v->width, v->height, GL_RGBA, GL_FLOAT, rgba);
+    free(rgba);
+}
+
+Image judge_paint(const Visibility *v)
+{
+    Image image = image_make(v->width, v->height, 3);
+    for (int i = 0; i < v->width * v->height; i++) {
+        const int row = v->height - 1 - i / v->width;
+        const float seen = v->truth[(size_t)row * (size_t)v->width + (size_t)(i % v->width)];
+        const float nothing[] = {0.01f, 0.015f, 0.05f}; // as paint.comp
+        for (int c = 0; c < 3; c++)
+            image.pixels[3 * i + c] = seen < 0.0f ? nothing[c] : seen;
+    }
+    return image;
+}
+
+// What a series of rows has measured so far: one a technique and scene.
+typedef struct Series {
+    char name[64];
+    double side[8], wrong[8];
+    size_t count;
+} Series;
+
+void judge_sweep(Run *run, const Judgement *j, const Image *picture, const Image *truth)
+{
+    run_error(run, "truth", "wrong", j->wrong);
+    run_error(run, "truth", "wrong_dark", j->dark);
+    run_error(run, "truth", "wrong_lit", j->leaked);
+    run_error(run, "truth", "mean_difference", j->difference);
+    run_error(run, "truth", "edge_distance_mean", j->distance_mean);
+    run_error(run, "truth", "edge_distance_p99", j->distance_p99);
+    run_error(run, "truth", "edge_distance_max", j->distance_most);
+    const ImageError light = image_compare(picture, truth);
+    run_error(run, "truth", "nrmse", light.nrmse);
+    run_error(run, "truth", "rel_rmse", light.rel_rmse);
+    run_error(run, "truth", "p99_abs", light.p99_abs);
+    run_error(run, "truth", "max_abs", light.max_abs);
+    run_error(run, "truth", "mean_ratio", light.mean_ratio);
+}
