@@ -61,9 +61,10 @@ double random_next(Random *random); // [0, 1)
 typedef struct Surface {
     float distance;    // along the ray that saw it; +Inf: none, nothing else is set
     uint32_t triangle; // NO_TRIANGLE: a point that was given
-    vec3 at;           // moved off the triangle by what rounding may have put it behind
-    vec3 side;         // the triangle's normal
-    vec3 normal;       // the interpolated one
+    vec3
+        at; // moved off the triangle and back along the ray by more than rounding may have put it beyond a surface
+    vec3 side;   // the triangle's normal
+    vec3 normal; // the interpolated one
     vec3 albedo, emission;
 } Surface;
 Surface tracer_see(const Tracer *tracer, vec3 origin, vec3 direction, float least, uint32_t skipped);

@@ -68,7 +68,9 @@ Surface tracer_see(const Tracer *tracer, vec3 origin, vec3 direction, float leas
         seen.normal = -seen.normal;
     }
     seen.at = triangle_point(tracer->truth, met.triangle, (double)met.u, (double)met.v);
-    seen.at = tracer_lift(seen.at, seen.side, truth_largest(seen.at));
+    // Back along the ray, where nothing lies: beside an edge that rounding has put it beyond, the point comes free of the other surface too.
+    const float largest = truth_largest(seen.at), back = 0x1p-17f * largest + 0x1p-20f * seen.distance;
+    seen.at = tracer_lift(seen.at, seen.side, largest) - back * direction;
     seen.albedo = material->albedo;
     seen.emission = material->emission;
     return seen;
