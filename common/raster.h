@@ -56,8 +56,9 @@ void raster_depth_map_draw(const Raster *raster, const DepthMap *map, const Ligh
 // that the cone's border crosses: a texel counts where its centre is inside), E·area·ρ (directional, area across the light).
 typedef struct ReflectiveMap {
     DepthMap depth;
-    GLuint position; // RGBA32F: metres from depth.origin; w is 1 where there is a surface
-    GLuint normal;   // RGBA16F: unit, on the side that is lit
+    GLuint
+        position;  // RGBA32F: metres from depth.origin; w: m² of surface in the texel, 0 where there is none
+    GLuint normal; // RGBA16F: unit, on the side that is lit
     // RGBA32F: reflected by the surface in W, a colour channel each: I · solid angle of the texel · albedo, inside the light's
     // radius r0 times (d/r0)²; directional: irradiance · area of the texel across the light · albedo
     GLuint flux;

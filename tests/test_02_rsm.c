@@ -1,65 +1,8 @@
-// Chapter 02: light gathered from a reflective shadow map against closed forms, against itself and at the extremes. The room is raster_room.h's.
-#include "../chapters/02_shadow_maps/rsm.h"
-#include "image.h"
-#include "raster_room.h"
+// Chapter 02: light gathered from every texel of a reflective shadow map against closed forms, the truth and at the extremes.
+#include "rsm_bounce.h"
+#include "truth.h"
 
 #include <string.h>
-
-enum { FEW = 32 }; // pixels a side where no closed form needs more
-
-typedef struct Bounce {
-    Stage stage;
-    Rsm rsm;
-    GBuffer gbuffer;
-    GLuint picture;
-    int side;
-} Bounce;
-static Bounce bounce_open(void (*maker)(Scene *, uint64_t), uint64_t seed, int side)
-{
-    Bounce b = {.stage = stage_open(maker, seed), .side = side};
-    b.rsm = rsm_open();
-    b.gbuffer = raster_gbuffer(side, side);
-    b.picture = gl_texture(.label = "bounce", .format = GL_RGBA32F, .width = side, .height = side);
-    return b;
-}
-static void bounce_close(Bounce *b)
-{
-    rsm_close(&b->rsm);
-    raster_gbuffer_delete(&b->gbuffer);
-    gl_texture_delete(&b->picture);
-    stage_close(&b->stage);
-}
-// The bounced light as a picture, bottom row first; by every texel where `pattern` is NULL.
-static Image bounce_light(const Bounce *b, const Light *light, int resolution, float clamp,
-                          const RsmPattern *pattern)
-{
-    const Camera *camera = &b->stage.scene->camera;
-    ReflectiveMap map = raster_reflective_map(b->stage.scene, light, resolution);
-    raster_reflective_map_draw(b->stage.raster, &map, light, &b->stage.mesh);
-    raster_gbuffer_draw(b->stage.raster, &b->gbuffer, camera, &b->stage.mesh);
-    static const float black[4] = {0};
-    gl.ClearTexImage(b->picture, 0, GL_RGBA, GL_FLOAT, black);
-    RsmGather gather = {&b->gbuffer, camera, &map, clamp, b->picture};
-    double asked =
-        pattern ? rsm_gather_importance(&b->rsm, &gather, pattern) : rsm_gather_all(&b->rsm, &gather);
-    int layers = map.depth.kind == LIGHT_POINT ? 6 : 1;
-    cr_assert(asked == (pattern ? pattern->samples : (double)layers * resolution * resolution), "%g texels",
-              asked);
-    Image image = image_make(b->side, b->side, 4);
-    gl_texture_read(b->picture, 0, GL_RGBA, GL_FLOAT, 4 * sizeof(float) * (size_t)(b->side * b->side),
-                    image.pixels);
-    for (int i = 0; i < 4 * b->side * b->side; i++)
-        cr_assert(isfinite(image.pixels[i]) && image.pixels[i] >= 0, "value %d is %g", i, image.pixels[i]);
-    raster_reflective_map_delete(&map);
-    return image;
-}
-static double mean_of(const Image *image)
-{
-    double sum = 0;
-    for (int i = 0; i < image->width * image->height; i++)
-        sum += image->pixels[4 * i];
-    return sum / image->width / image->height;
-}
 
 // ---------------------------------------------------------------- closed forms
 
@@ -279,90 +222,79 @@ Test(rsm, clamp_holds_the_inverse_square)
     bounce_close(&b);
 }
 
-// ---------------------------------------------------------------- importance
-
-// Towards the sum over every texel as samples grow. A shift for each pixel makes each sample uniform, so the order is 1/2 or better.
-Test(rsm, importance_converges_to_all)
+// Up to a wall's foot the floor fills half of its view with a radiosity B, so the irradiance is B/2 there and at most a few % more above, where
+// the light is nearer. Texels are 6 cm wide, pixels at heights of 1 to 11 cm.
+Test(rsm, discs_do_not_outshine_their_floor)
 {
-    for (int k = 0; k < 4; k++) {
-        LightKind kind = (LightKind)(k % 3);
-        Bounce b = bounce_open(make, kind == LIGHT_DIRECTIONAL ? 0 : WALLS, FEW);
-        Light light = light_of(kind, 0);
-        if (k == 3) // a spot that looks up: most pixels lie behind it
-            light.direction = vec3_normalize(vec3_make(0.5f, 0.25f, -0.5f)),
-            light.position = vec3_make(-1, 3, 2);
-        if (k == 3)
-            light.kind = LIGHT_SPOT;
-        Image all = bounce_light(&b, &light, 64, 0.5f, NULL);
-        double first = 0;
-        for (int samples = 64; samples <= 4096; samples *= 64) {
-            RsmPattern pattern = {.samples = samples, .radius = 1, .rotated = true, .seed = 5};
-            Image some = bounce_light(&b, &light, 64, 0.5f, &pattern);
-            ImageError error = image_compare(&some, &all);
-            if (samples == 64)
-                first = error.nrmse;
-            else {
-                cr_assert(error.nrmse < first / 6, "light %d: nrmse %g from %g", k, error.nrmse, first);
-                // 1024 pixels' means of independent signs, of which few hold most of the light: a tenth of a pixel's
-                cr_assert(fabs(error.mean_ratio - 1) < 0.1 * error.nrmse + 1e-3, "light %d: mean ratio %g", k,
-                          error.mean_ratio);
-            }
-            image_free(&some);
-        }
-        image_free(&all);
-        bounce_close(&b);
+    Bounce b = bounce_open(make_plates, 0, FEW);
+    Light light = light_on_plates(1.0f);
+    light.position = vec3_make(2, 2, 0);
+    Camera *camera = &b.stage.scene->camera;
+    camera->eye = vec3_make(2.8f, 0.06f, 0);
+    camera->target = vec3_make(3, 0.06f, 0);
+    camera->vertical_fov_rad = 0.5f;
+    const double expected = 0.5 / M_PI * 0.5 * (0.5 * 40 * 2 / pow(2 * 2 + 1 * 1, 1.5));
+    Image points = bounce_light(&b, &light, 100, 0, NULL), discs = bounce_light(&b, &light, 100, -1, NULL);
+    double most[2] = {0};
+    for (int i = 0; i < FEW * FEW; i++) {
+        most[0] = fmax(most[0], points.pixels[4 * i] / expected);
+        most[1] = fmax(most[1], discs.pixels[4 * i] / expected);
+        if (i / FEW >= FEW / 2) // more than a texel above the floor
+            cr_assert(fabs(discs.pixels[4 * i] / expected - 1) < 0.05, "pixel %d: %g of B/2", i,
+                      discs.pixels[4 * i] / expected);
     }
-}
-
-// Dachsbacher and Stamminger's weight ξ1² for samples at radius·ξ1 converges, but to another picture.
-Test(rsm, the_printed_weight_is_biased)
-{
-    Bounce b = bounce_open(make, WALLS, FEW);
-    Light light = light_of(LIGHT_SPOT, 0);
-    Image all = bounce_light(&b, &light, 64, 0.5f, NULL);
-    double error[2];
-    for (int k = 0; k < 2; k++) {
-        RsmPattern pattern = {.samples = 8192, .radius = 1, .rotated = true, .weight = (RsmWeight)k};
-        Image some = bounce_light(&b, &light, 64, 0.5f, &pattern);
-        error[k] = image_compare(&some, &all).nrmse;
-        image_free(&some);
-    }
-    cr_assert(error[0] < 0.02 && error[1] > 0.2, "nrmse %g, as printed %g", error[0], error[1]);
-    image_free(&all);
+    cr_assert(most[0] > 1.1 && most[1] < 1.05, "points up to %g, discs up to %g of B/2", most[0], most[1]);
+    image_free(&points), image_free(&discs);
     bounce_close(&b);
 }
 
-Test(rsm, more_samples_than_one_draw_can_count)
-{
-    Bounce b = bounce_open(make, WALLS, 8);
-    Light light = light_of(LIGHT_SPOT, 0);
-    Image all = bounce_light(&b, &light, 64, 0.5f, NULL);
-    RsmPattern pattern = {.samples = 100000, .radius = 1, .rotated = true};
-    Image some = bounce_light(&b, &light, 64, 0.5f, &pattern);
-    ImageError error = image_compare(&some, &all);
-    cr_assert(error.nrmse < 5e-3, "nrmse %g", error.nrmse); // a third of the samples left out would be 0.3
-    image_free(&all), image_free(&some);
-    bounce_close(&b);
-}
+// ---------------------------------------------------------------- the truth
 
-// A disc of the map round the pixel's place loses what lies outside it, and nothing is counted twice.
-Test(rsm, smaller_radius_loses_light)
+// The same model by rays from the light (Embree), and what it leaves out: shadows of the bounced light.
+Test(rsm, cornell_has_the_truth_s_mean)
 {
+    const SceneKind *cornell = scene_kinds;
+    while (strcmp(cornell->name, "cornell") != 0)
+        cornell++;
+    Bounce b = bounce_open(cornell->make, 0, FEW);
+    const Scene *scene = b.stage.scene;
+    Truth *truth = truth_open(&scene->mesh);
+    const float clamp = 0.3f;
     for (int kind = 0; kind < 3; kind++) {
-        Bounce b = bounce_open(make, kind == LIGHT_DIRECTIONAL ? 0 : WALLS, FEW);
-        Light light = light_of((LightKind)kind, 0);
-        double before = 0;
-        for (int k = 0; k < 4; k++) {
-            RsmPattern pattern = {.samples = 1024, .radius = 0.125f * (float)(1 << k), .rotated = true};
-            Image some = bounce_light(&b, &light, 64, 0.5f, &pattern);
-            cr_assert(mean_of(&some) > before * (k == 3 ? 0.98 : 1.02), "light %d, radius %g: %g after %g",
-                      kind, (double)pattern.radius, mean_of(&some),
-                      before); // a spot's texels are all within half of √2 sides for most pixels
-            before = mean_of(&some);
-            image_free(&some);
+        Light light = scene->lights[0];
+        light.kind = (LightKind)kind;
+        light.half_angle_rad = 0.9f;
+        light.direction =
+            kind == LIGHT_SPOT ? vec3_make(0, -1, 0) : vec3_normalize(vec3_make(0.5f, -0.3f, -1));
+        Scene lit = *scene;
+        lit.lights = &light, lit.light_count = 1;
+        Image got = bounce_light(&b, &light, 64, clamp, NULL);
+        for (int shadows = 0; shadows < 2; shadows++) {
+            TruthPathSettings settings = {.samples = 256,
+                                          .bounces = 1,
+                                          .indirect_alone = true,
+                                          .bounce = shadows ? TRUTH_BOUNCE_OF_FLUX
+                                                            : TRUTH_BOUNCE_OF_FLUX_UNOCCLUDED,
+                                          .least_distance = clamp,
+                                          .seed = 7};
+            TruthPicture picture = truth_radiance(truth, &lit, &scene->camera, FEW, FEW, &settings);
+            double mean = 0, square = 0;
+            for (int i = 0; i < FEW * FEW; i++) {
+                mean += picture.mean.pixels[picture.mean.channels * i] / FEW / FEW;
+                square += pow(picture.error.pixels[picture.error.channels * i] / FEW / FEW, 2);
+            }
+            double ratio = mean_of(&got) / mean, noise = sqrt(square) / mean;
+            if (shadows)
+                cr_assert(ratio > 1.03, "light %d: %g times the light with shadows", kind, ratio);
+            else // texels of 1/64: light's borders fall on other ones, a share of them
+                cr_assert(fabs(ratio - 1) < 4 * noise + 0.01, "light %d: %g times the truth, noise %g", kind,
+                          ratio, noise);
+            truth_picture_free(&picture);
         }
-        bounce_close(&b);
+        image_free(&got);
     }
+    truth_close(truth);
+    bounce_close(&b);
 }
 
 // ---------------------------------------------------------------- extremes

@@ -42,6 +42,7 @@ static void begin(const Shader *shader, const RsmGather *gather)
     raster_set_camera(shader, gather->camera, (float)gbuffer->width / (float)gbuffer->height);
     shader_set_vec3(shader, "eye_from_origin", (const float *)&eye_from_origin);
     shader_set_float(shader, "clamp_distance", gather->clamp);
+    shader_set_int(shader, "texel_discs", gather->texel_discs);
 }
 
 // One invocation a pixel in groups of 8 × 8; what comes next may read the picture in any way.

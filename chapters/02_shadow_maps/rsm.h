@@ -28,6 +28,9 @@ typedef struct RsmGather {
     float
         clamp; // metres: 1/r² is held inside, or a texel a micrometre away would outshine all others. 0: nothing is held
     GLuint picture;
+    // Ours: each texel a disc of its own area A, whose light on a point that faces it is 1/(r² + A/π) exactly, instead of max(r, clamp)².
+    // Nothing to choose, and nothing is lost at endless resolution.
+    bool texel_discs;
 } RsmGather;
 
 // As printed: the paper's weight ξ1², normalized so that a constant is summed rightly. It is biased wherever near and far texels differ, since samples at

@@ -18,6 +18,7 @@ layout(binding = 5, rgba16f) readonly uniform MAP map_normals;
 layout(binding = 6, rgba32f) readonly uniform MAP map_fluxes;
 uniform vec3 eye_from_origin; // eye - DepthMap.origin: no world coordinate is ever formed
 uniform float clamp_distance; // metres
+uniform bool texel_discs;
 
 const float PI = 3.14159265;
 
@@ -38,14 +39,15 @@ vec3 texel_irradiance(int x, int y, int face, vec3 point, vec3 normal)
     vec3 flux = imageLoad(map_fluxes, TEXEL(x, y, face)).rgb;
     if (flux == vec3(0.0))
         return flux;
-    vec3 way = imageLoad(map_positions, TEXEL(x, y, face)).xyz - point;
+    vec4 position = imageLoad(map_positions, TEXEL(x, y, face)); // w: area
+    vec3 way = position.xyz - point;
     float distance = length(way);
     if (distance == 0.0) // the texel's own point lies in the plane of its light
         return vec3(0.0);
     vec3 to_texel = way / distance;
     float leaves = max(-dot(imageLoad(map_normals, TEXEL(x, y, face)).xyz, to_texel), 0.0);
     float arrives = max(dot(normal, to_texel), 0.0);
-    float held = max(distance, clamp_distance);
+    float held = texel_discs ? length(vec2(distance, sqrt(position.w / PI))) : max(distance, clamp_distance);
     // One after the other: the square of a micrometre or of 10⁶ m times a flux would leave the range of floats sooner.
     return flux / PI * (leaves / held) * (arrives / held);
 }

@@ -11,6 +11,7 @@ layout(location = 1) out vec4 out_position;
 layout(location = 2) out vec4 out_normal;
 layout(location = 3) out vec4 out_flux;
 uniform float near_distance;
+const float LEAST_COSINE = 1e-3; // a surface seen along its plane has an area all the same
 uniform vec3 light_direction; // unit; spot, directional
 uniform vec3 light_intensity; // W/sr; directional: W/m²
 #if MAP_KIND == 2             // directional
@@ -23,17 +24,27 @@ uniform float half_resolution;
 #endif
 
 //[flux
-// W that reach the texel's surface. A surface that is tilted gathers no less: it is larger by what it is dimmer.
-vec3 arriving_flux(float light_distance)
+// What of the light's own cross-section the texel holds at the surface, in m².
+float area_across(float light_distance)
 {
 #if MAP_KIND == 2 // directional
-    return light_intensity * texel_area;
+    return texel_area;
+#else
+    vec2 corner = (floor(gl_FragCoord.xy) - half_resolution) * texel_size;
+    return solid_angle_of_square(corner, texel_size) * light_distance * light_distance;
+#endif
+}
+
+// W/m² across the light.
+vec3 arriving(float light_distance)
+{
+#if MAP_KIND == 2 // directional
+    return light_intensity;
 #else
     if (!shadow_in_cone(from_origin, light_direction, light_cone))
         return vec3(0.0);
-    vec2 corner = (floor(gl_FragCoord.xy) - half_resolution) * texel_size;
-    float held = min(light_distance / light_radius, 1.0); // radius 0: infinity or NaN, of which min takes 1
-    return light_intensity * (solid_angle_of_square(corner, texel_size) * held * held);
+    float held = max(light_distance, light_radius);
+    return light_intensity / held / held;
 #endif
 }
 //]
@@ -42,13 +53,18 @@ void main()
 {
 #if MAP_KIND == 2 // directional
     out_distance = dot(from_origin, light_direction);
+    vec3 way = light_direction;
 #else
     out_distance = length(from_origin);
+    vec3 way = from_origin / out_distance;
 #endif
     // Depth by the stored distance itself: the nearest surface is the one that a depth map keeps, however near the near plane is.
     gl_FragDepth = near_distance / out_distance;
-    out_position = vec4(from_origin, 1.0);
-    out_normal = vec4(normalize(gl_FrontFacing ? surface_normal : -surface_normal), 0.0);
+    vec3 normal = normalize(gl_FrontFacing ? surface_normal : -surface_normal);
     vec3 albedo = materials[2u * triangle_material[gl_PrimitiveID]].rgb;
-    out_flux = vec4(arriving_flux(out_distance) * albedo, 0.0);
+    float across = area_across(out_distance);
+    // A tilted surface gathers no less than one that faces the light: it is larger by what it is dimmer.
+    out_position = vec4(from_origin, across / max(-dot(normal, way), LEAST_COSINE));
+    out_normal = vec4(normal, 0.0);
+    out_flux = vec4(across * arriving(out_distance) * albedo, 0.0);
 }
