@@ -137,6 +137,7 @@ int main(int argc, char **argv)
                                  : run_chosen(run, "kind", "spot")          ? CHOICE_SPOT
                                  : run_chosen(run, "kind", "directional")   ? CHOICE_DIRECTIONAL
                                                                             : CHOICE_POINT;
+        const float tessellation = (float)run_number(run, "tessellation");
         const bool fit_view = run_chosen(run, "fit", "view");
         const MapLookup filtered = lookup_of(run);
         MapLookup biased = filtered, compared = filtered;
@@ -187,15 +188,15 @@ int main(int argc, char **argv)
                 rig->new_map = wanted && (first || hash != rig->hash);
                 rig->hash = hash;
                 const char *const why_not = wanted ? SAME_MAP : NO_PIXEL;
-                uint32_t casters = 0;
+                MapCasters casters = {0};
                 if (run_pass(run, "casters", rig->new_map, why_not)) {
-                    casters = map_find_casters(&shaders, &rig->map, light, &mesh, &filtered);
+                    casters = map_find_casters(&shaders, &rig->map, light, &mesh, &filtered, tessellation);
                     const double all = (double)rig->map.layers * rig->map.triangle_count;
-                    run_skipped(run, all - casters, all);
+                    run_skipped(run, all - casters.whole - casters.cut, all);
+                    run_count(run, "cut", casters.cut);
                 }
                 if (run_pass(run, "depth map", rig->new_map, why_not)) {
-                    map_draw(&shaders, &rig->map, light, &mesh, casters,
-                             (float)run_number(run, "tessellation"));
+                    map_draw(&shaders, &rig->map, light, &mesh, &casters);
                     run_skipped(run, rig->map.layers - rig->asked.layers, rig->map.layers);
                 }
                 if (rig->map.moments[0] && run_pass(run, "moments", rig->new_map, why_not))

@@ -21,15 +21,17 @@ MapShaders map_shaders_open(void)
         s.visibility[shape] = open_shape("visibility", shape, "", "02_shadow_maps/visibility.comp");
         s.light[shape] = open_shape("light", shape, "", "02_shadow_maps/light.comp");
         s.show[shape] = open_shape("show", shape, "", "02_shadow_maps/show.comp");
-        char *definitions = text_format("SHAPE %d\nMAP_KIND %d", shape, shape); // as depth_map.frag says it
-        s.depth[shape] = shape == MAP_PARABOLOID
-                             ? shader_open("depth map", definitions, "02_shadow_maps/casters.vert",
-                                           "02_shadow_maps/casters.tesc", "02_shadow_maps/casters.tese",
-                                           "common/depth_map.frag")
-                             : shader_open("depth map", definitions, "02_shadow_maps/casters.vert",
-                                           "common/depth_map.frag");
+        char *definitions =
+            text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 0", shape, shape); // as depth_map.frag says it
+        s.depth[shape] =
+            shader_open("depth map", definitions, "02_shadow_maps/casters.vert", "common/depth_map.frag");
         free(definitions);
     }
+    char *definitions = text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 1", MAP_PARABOLOID, MAP_PARABOLOID);
+    s.depth_cut =
+        shader_open("depth map, cut", definitions, "02_shadow_maps/casters.vert",
+                    "02_shadow_maps/casters.tesc", "02_shadow_maps/casters.tese", "common/depth_map.frag");
+    free(definitions);
     return s;
 }
 
@@ -40,6 +42,7 @@ void map_shaders_close(MapShaders *s)
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         for (int shape = 0; shape < MAP_SHAPES; shape++)
             shader_close(all[i][shape]);
+    shader_close(s->depth_cut);
     shader_close(s->paint);
 }
 
@@ -101,7 +104,7 @@ ShadowMap map_create(const Scene *scene, const Light *light, bool paraboloid, bo
     map.bounds = gl_buffer(.label = "asked bounds", .bytes = sizeof(LayerBounds[6]));
     map.casters = gl_buffer(.label = "casters",
                             .bytes = sizeof(uint32_t) * ((size_t)map.layers * map.triangle_count + 1));
-    map.count = gl_buffer(.label = "caster count", .bytes = sizeof(uint32_t));
+    map.count = gl_buffer(.label = "caster count", .bytes = sizeof(uint32_t[2]));
     return map;
 }
 
@@ -133,22 +136,29 @@ void map_set(const Shader *shader, const ShadowMap *map, const Light *light)
 
 //[draw
 void map_draw(const MapShaders *shaders, const ShadowMap *map, const Light *light, const RasterMesh *mesh,
-              uint32_t casters, float tessellation)
+              const MapCasters *casters)
 {
     static const float infinity[4] = {INFINITY};
-    const Shader *shader = shaders->depth[map->shape];
     gl.ClearNamedFramebufferfv(map->depth.framebuffer, GL_COLOR, 0, infinity);
     gl.BindFramebuffer(GL_FRAMEBUFFER, map->depth.framebuffer);
     gl.Viewport(0, 0, map->depth.resolution, map->depth.resolution);
     gl.Enable(GL_BLEND);
     gl.BlendEquation(GL_MIN); // keeps the nearest: exact on the stored floats, in any order
-    map_set(shader, map, light);
-    shader_set_float(shader, "tessellation", tessellation);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, mesh->positions);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, mesh->indices);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, map->casters);
     gl.BindVertexArray(mesh->vertex_array);
-    gl.DrawArrays(map->shape == MAP_PARABOLOID ? GL_PATCHES : GL_TRIANGLES, 0, (GLsizei)(3 * casters));
+    if (map->shape == MAP_PARABOLOID)
+        gl.Enable(GL_CLIP_DISTANCE0);
+    map_set(shaders->depth[map->shape], map, light);
+    gl.DrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * casters->whole));
+    if (casters->cut > 0) { // at the list's end; patches of three corners, GL's default
+        map_set(shaders->depth_cut, map, light);
+        shader_set_float(shaders->depth_cut, "tessellation", casters->tessellation);
+        gl.DrawArrays(GL_PATCHES, (GLint)(3 * ((uint32_t)map->layers * map->triangle_count - casters->cut)),
+                      (GLsizei)(3 * casters->cut));
+    }
+    gl.Disable(GL_CLIP_DISTANCE0);
     gl.BlendEquation(GL_FUNC_ADD);
     gl.Disable(GL_BLEND);
 }

@@ -28,7 +28,7 @@ typedef struct MapLookup {
 typedef struct MapShaders {
     Shader *receivers[MAP_SHAPES], *casters[MAP_SHAPES], *depth[MAP_SHAPES], *moments_x[MAP_SHAPES],
         *moments_y[MAP_SHAPES], *visibility[MAP_SHAPES], *light[MAP_SHAPES], *show[MAP_SHAPES];
-    Shader *paint;
+    Shader *depth_cut, *paint;
 } MapShaders;
 MapShaders map_shaders_open(void);
 void map_shaders_close(MapShaders *shaders);
@@ -59,12 +59,16 @@ typedef struct MapAsked {
 } MapAsked;
 MapAsked map_find_receivers(const MapShaders *shaders, const ShadowMap *map, const Light *light,
                             const GBuffer *gbuffer, const Camera *camera, const MapLookup *lookup);
-// The triangles that may cast into it; returns how many, of layers · triangle_count.
-uint32_t map_find_casters(const MapShaders *shaders, const ShadowMap *map, const Light *light,
-                          const RasterMesh *mesh, const MapLookup *lookup);
-// `tessellation` as in casters.tesc: the error of a straight edge in texels; 0: none is cut. Paraboloid only.
+// The triangles that may cast into it, of layers · triangle_count; on a paraboloid those whose edges must be cut, so that none leaves its arc
+// by more than `tessellation` texels (0: none is cut), apart from the others.
+typedef struct MapCasters {
+    uint32_t whole, cut;
+    float tessellation;
+} MapCasters;
+MapCasters map_find_casters(const MapShaders *shaders, const ShadowMap *map, const Light *light,
+                            const RasterMesh *mesh, const MapLookup *lookup, float tessellation);
 void map_draw(const MapShaders *shaders, const ShadowMap *map, const Light *light, const RasterMesh *mesh,
-              uint32_t casters, float tessellation);
+              const MapCasters *casters);
 void map_filter_moments(const MapShaders *shaders, const ShadowMap *map, const Light *light,
                         const MapLookup *lookup);
 

@@ -56,13 +56,14 @@ MapAsked map_find_receivers(const MapShaders *shaders, const ShadowMap *map, con
     return asked;
 }
 
-uint32_t map_find_casters(const MapShaders *shaders, const ShadowMap *map, const Light *light,
-                          const RasterMesh *mesh, const MapLookup *lookup)
+MapCasters map_find_casters(const MapShaders *shaders, const ShadowMap *map, const Light *light,
+                            const RasterMesh *mesh, const MapLookup *lookup, float tessellation)
 {
     const Shader *shader = shaders->casters[map->shape];
     gl.ClearNamedBufferData(map->count, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
     map_set(shader, map, light);
     shader_set_uint(shader, "triangle_count", map->triangle_count);
+    shader_set_float(shader, "tessellation", tessellation);
     shader_set_int(shader, "cut_far", lookup->filter != FILTER_VARIANCE);
     const GLuint buffers[] = {map->bounds, mesh->positions, mesh->indices, map->casters, map->count};
     for (GLuint i = 0; i < sizeof buffers / sizeof *buffers; i++)
@@ -71,9 +72,9 @@ uint32_t map_find_casters(const MapShaders *shaders, const ShadowMap *map, const
     if (groups > 0)
         gl.DispatchCompute(row, (groups + row - 1) / row, 1);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-    uint32_t count = 0;
-    gl_buffer_read(map->count, 0, sizeof count, &count);
-    return count;
+    uint32_t count[2];
+    gl_buffer_read(map->count, 0, sizeof count, count);
+    return (MapCasters){count[0], count[1], tessellation};
 }
 
 void map_filter_moments(const MapShaders *shaders, const ShadowMap *map, const Light *light,

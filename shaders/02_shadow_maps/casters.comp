@@ -2,13 +2,14 @@
 // and of what the camera sees; receivers.comp has found the hull's bounds in the map.
 #include "02_shadow_maps/bounds.glsl"
 #include "02_shadow_maps/map.glsl"
+#include "02_shadow_maps/tessellation.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer AskedBounds { Bounds bounds[]; };
 layout(std430, binding = 1) readonly buffer Positions { float positions[]; }; // 3 a vertex, metres
 layout(std430, binding = 2) readonly buffer Indices { uint indices[]; };      // 3 a triangle
 layout(std430, binding = 3) writeonly buffer Casters { uint casters[]; };     // triangle << 3 | layer
-layout(std430, binding = 4) coherent buffer CasterCount { uint caster_count; };
+layout(std430, binding = 4) coherent buffer CasterCount { uint whole_count, cut_count; }; // from the front; from the list's end
 uniform vec3 origin;
 uniform uint triangle_count;
 uniform int cut_far; // 0: what lies beyond the farthest receiver counts too (moments mix all depths)
@@ -78,6 +79,12 @@ void main()
         if (!may_cast(layer, p))
             continue;
 #endif
-        casters[atomicAdd(caster_count, 1u)] = triangle << 3 | uint(layer);
+#if SHAPE == PARABOLOID
+        if (max(edge_pieces(p[0], p[1], map_size), max(edge_pieces(p[1], p[2], map_size), edge_pieces(p[2], p[0], map_size))) > 1.0) {
+            casters[uint(LAYERS) * triangle_count - 1u - atomicAdd(cut_count, 1u)] = triangle << 3 | uint(layer);
+            continue;
+        }
+#endif
+        casters[atomicAdd(whole_count, 1u)] = triangle << 3 | uint(layer);
     }
 }
