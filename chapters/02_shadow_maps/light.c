@@ -31,7 +31,8 @@ static Light light_made(const Scene *scene, const Light *from, LightKind kind)
     if (from->kind == LIGHT_DIRECTIONAL)
         made.position =
             kind == LIGHT_SPOT ? middle - SUN_FROM_DIAGONALS * diagonal * from->direction : middle;
-    gap = fmaxf(vec3_length(middle - made.position), diagonal / 3.0f);
+    // In the middle: as much a tenth of the diagonal away, which leaves the walls something.
+    gap = fmaxf(vec3_length(middle - made.position), diagonal / 10.0f);
     made.intensity = gap * gap * irradiance;
     if (kind == LIGHT_SPOT) {
         const vec3 way = middle - made.position;

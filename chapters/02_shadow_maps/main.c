@@ -11,7 +11,8 @@
 #include "scenes.h"
 #include <stdlib.h>
 
-static const char *const scenes[] = {"bunny", "cornell", "colonnade", NULL};
+static const char *const scenes[] = {
+    "bunny", "cornell", "colonnade", "fence", "chapters/02_shadow_maps/lamps.gltf", NULL};
 
 // clang-format off
 static const RunParameter parameters[] = {
