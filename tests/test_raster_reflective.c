@@ -56,7 +56,7 @@ static void check_texels(LightKind kind, float half_angle_rad, float radius, uin
     Texels t = texels_of(&stage, &light, MAP);
     const DepthMap *depth = &t.map.depth;
     const double scale = scale_of(seed);
-    const double tangent = depth->kind == LIGHT_SPOT ? tan(half_angle_rad) : 1;
+    const double tangent = depth->kind == LIGHT_SPOT ? tan((double)half_angle_rad) : 1;
     const double middle[3] = {0.5 * scale, 5 * scale, 0.75 * scale}; // of the light, without the far offset
     int hit = 0, lit = 0, unlit = 0, wrong = 0, block = 0;
     for (int i = 0; i < t.count; i++) {
