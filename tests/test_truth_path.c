@@ -188,6 +188,35 @@ Test(truth_path, plane_under_grazing_light_has_no_acne)
     }
 }
 
+// A triangle of 130 km whose middle is near the origin: rays miss its plane by centimetres there, however well the point is known.
+Test(truth_path, giant_triangle_does_not_shade_itself)
+{
+    for (int i = 0; i < 20; i++) {
+        const float size = 0x1p17f, turn = 0.3f * (float)i + 0.1f;
+        const vec3 x = vec3_normalize(vec3_make(cosf(turn), sinf(turn), 0.5f * cosf(3.0f * turn))),
+                   z = vec3_normalize(vec3_cross(x, vec3_make(0.3f, 0.2f, 1))), normal = vec3_cross(z, x);
+        Scene *scene = scene_begin();
+        uint32_t grey = scene_add_material(scene, "grey", vec3_make(0.5f, 0.5f, 0.5f), BLACK);
+        const vec3 corners[3] = {-size * (x + z), size * x * 1.5f, size * z * 1.5f};
+        for (int v = 0; v < 3; v++)
+            mesh_add_vertex(&scene->mesh, corners[v], BLACK);
+        mesh_add_triangle(&scene->mesh, 0, 1, 2, grey);
+        scene_add_light(scene, (Light){.kind = LIGHT_DIRECTIONAL,
+                                       .direction = vec3_normalize(-0.3f * normal - x),
+                                       .intensity = vec3_make(1, 1, 1)});
+        scene->camera = (Camera){.eye = 2.0f * normal, .target = 0.5f * x, .up = x, .vertical_fov_rad = 0.6f};
+        Truth *truth = scene_ready(scene);
+        TruthPicture picture = picture_of(truth, scene, 16, (TruthPathSettings){.samples = 1});
+        const double expected = 0.5 / M_PI * 0.3 / sqrt(1.09);
+        for (size_t p = 0; p < 256; p++) // 10⁻⁴: the corners are rounded by 4 mm in 130 km
+            cr_assert_float_eq((double)channel_of(&picture.mean, p, 0), expected, 1e-4 * expected,
+                               "case %d, pixel %zu: %g, not %g", i, p,
+                               (double)channel_of(&picture.mean, p, 0), expected);
+        truth_picture_free(&picture);
+        scene_end(scene, truth);
+    }
+}
+
 // Vertices' normals that are not the triangle's shade it, and turn with it where its back is seen.
 Test(truth_path, interpolated_normals_on_the_side_that_is_seen)
 {
