@@ -80,7 +80,7 @@ double rsm_gather_importance(const Rsm *rsm, const RsmGather *gather, const RsmP
     shader_set_mat4(shader, "to_clip", (const float *)&depth->to_clip);
     shader_set_float(shader, "radius", pattern->radius * whole);
     shader_set_int(shader, "rotated", pattern->rotated);
-    shader_set_int(shader, "as_printed", pattern->weight == RSM_WEIGHT_AS_PRINTED);
+    shader_set_int(shader, "sampling", (int)pattern->sampling);
     shader_set_uint(shader, "seed", pattern->seed);
     shader_set_uint(shader, "sample_count", count);
     for (unsigned first = 0; first < count; first += MOST_ITERATIONS) {

@@ -33,16 +33,20 @@ typedef struct RsmGather {
     bool texel_discs;
 } RsmGather;
 
-// As printed: the paper's weight ξ1², normalized so that a constant is summed rightly. It is biased wherever near and far texels differ, since samples at
-// r = radius·ξ1 lie with density 1/r, which the weight ξ1 makes good; unbiased is that.
-typedef enum RsmWeight { RSM_WEIGHT_UNBIASED, RSM_WEIGHT_AS_PRINTED } RsmWeight;
+// Where in the map the samples lie, and what each counts for.
+typedef enum RsmSampling {
+    RSM_ABOUT_PIXEL, // at radius·ξ1 from the pixel's own place, so with density 1/r, which the weight 2 ξ1 undoes
+    RSM_AS_PRINTED, // the same places with the paper's weight ξ1², normalized so that a constant is summed rightly: biased wherever near and
+                    // far texels differ. Of a cube as RSM_ABOUT_PIXEL
+    RSM_EVENLY,     // every texel as likely as any other: what the two above are to beat
+} RsmSampling;
 typedef struct RsmPattern {
     int samples; // a pixel, at least 1
     float
         radius; // 0 < radius ≤ 1: 1 reaches every texel from anywhere in the map, less leaves out what lies farther. Spot, directional: of √2 sides
-                // of the map; cube: of 180°
-    bool rotated;     // a pattern of its own for each pixel: noise; else the same for all: bands
-    RsmWeight weight; // cube: always unbiased
+                // of the map; cube: of 180°. RSM_EVENLY has none
+    bool rotated; // a pattern of its own for each pixel: noise; else the same for all: bands
+    RsmSampling sampling;
     uint32_t seed;
 } RsmPattern;
 

@@ -1,5 +1,5 @@
-// Light from some texels of a reflective shadow map, more of them near the pixel's own place in the map (Dachsbacher and Stamminger 2005,
-// section 4). Taught in chapter 02.
+// Light from some texels of a reflective shadow map: more of them near the pixel's own place in the map (Dachsbacher and Stamminger 2005,
+// section 4), or as many everywhere. Taught in chapter 02.
 #include "02_shadow_maps/rsm_texel.glsl"
 #if MAP_KIND == 0 // cube
 #include "common/cube.glsl"
@@ -7,11 +7,13 @@
 uniform mat4 to_clip;
 #endif
 
+#define AS_PRINTED 1 // RsmSampling of rsm.h
+#define EVENLY 2
 uniform uint first_sample, last_sample, sample_count;
 uniform uint seed;
 uniform float radius;   // spot, directional: sides of the map; cube: radians
 uniform bool rotated;   // a pattern for each pixel
-uniform bool as_printed; // the paper's weights; not of a cube
+uniform int sampling;
 
 //[pattern
 // The first samples of Roberts' R2 sequence ("The unreasonable effectiveness of quasirandom sequences", 2018) in fixed point, where adding modulo 1 is
@@ -22,9 +24,10 @@ const uvec2 R2_STEP = uvec2(3242174889u, 2447445414u);
 uvec3 random_bits(uvec3 v)
 {
     v = v * 1664525u + 1013904223u;
-    v += v.yzx * v.zxy;
+    v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
     v ^= v >> 16;
-    return v + v.yzx * v.zxy;
+    v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
+    return v;
 }
 
 // In [0, 1)²: a float holds 24 bits.
@@ -40,12 +43,18 @@ vec2 pattern(uint i, uvec2 shift)
 // 1/(2π·radius·sin θ), and a texel takes side²/(1 + u² + v²)^1.5 of them.
 float sampled_texel(vec2 xi, vec3 point, out ivec3 texel)
 {
+    int side = imageSize(map_fluxes).x;
+    if (sampling == EVENLY) {
+        float six = 6.0 * xi.x;
+        texel = ivec3(clamp(ivec2(vec2(fract(six), xi.y) * float(side)), 0, side - 1), int(six));
+        return 6.0 * float(side) * float(side);
+    }
     vec3 axis = normalize(point);
     vec3 across = normalize(abs(axis.y) < 0.9 ? vec3(axis.z, 0.0, -axis.x) : vec3(0.0, -axis.z, axis.y));
     float theta = radius * xi.x, phi = 2.0 * PI * xi.y;
     vec3 direction =
         cos(theta) * axis + sin(theta) * (cos(phi) * across + sin(phi) * cross(axis, across));
-    int face = cube_face(direction), side = imageSize(map_fluxes).x;
+    int face = cube_face(direction);
     vec3 on_face = cube_on_face(face, direction);
     vec2 place = on_face.xy / on_face.z;
     texel = ivec3(clamp(ivec2((0.5 * place + 0.5) * float(side)), 0, side - 1), face);
@@ -59,18 +68,22 @@ float sampled_texel(vec2 xi, vec3 point, out ivec3 texel)
 // 0 beside the map, where there is no light.
 float sampled_texel(vec2 xi, vec3 point, out ivec3 texel)
 {
+    float side = float(imageSize(map_fluxes).x);
+    if (sampling == EVENLY) {
+        texel = ivec3(xi * side, 0);
+        return side * side;
+    }
     vec4 clip = to_clip * vec4(point, 1.0);
     // a pixel beside the map or behind the light is nearest to a texel of the border
     vec2 place = clip.w > 0.0 ? clip.xy / clip.w : 1e6 * clip.xy;
     vec2 centre = 0.5 * clamp(place, -1.0, 1.0) + 0.5;
     float phi = 2.0 * PI * xi.y;
     vec2 at = centre + radius * xi.x * vec2(sin(phi), cos(phi));
-    float side = float(imageSize(map_fluxes).x);
     texel = ivec3(floor(at * side), 0);
     if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(texel.xy, imageSize(map_fluxes))))
         return 0.0;
     // The mean of 3 ξ1² is 1, that of 2 ξ1 too; but only 2 ξ1 undoes the density.
-    float weight = as_printed ? 3.0 * xi.x * xi.x : 2.0 * xi.x;
+    float weight = sampling == AS_PRINTED ? 3.0 * xi.x * xi.x : 2.0 * xi.x;
     return PI * radius * radius * side * side * weight;
 }
 //]
