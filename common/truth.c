@@ -111,7 +111,7 @@ static void leave_out(const struct RTCFilterFunctionNArguments *arguments)
 {
     const Context *context = (const Context *)arguments->context;
     // The sixth of a hit's fields, each N values wide (N is 1 here); Embree's own accessor is C++ alone.
-    uint32_t triangle = ((const uint32_t *)arguments->hit)[5 * arguments->N];
+    uint32_t triangle = ((const uint32_t *)arguments->hit)[5 * (size_t)arguments->N];
     if (triangle == context->skipped[0] || triangle == context->skipped[1])
         arguments->valid[0] = 0;
 }

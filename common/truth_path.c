@@ -108,7 +108,10 @@ static Tracer tracer_open(const Truth *truth, const Scene *scene, const TruthPat
     if (truth->triangle_count != scene->mesh.triangle_count)
         fail_work("the truth of a mesh of %zu triangles is asked about one of %zu", truth->triangle_count,
                   scene->mesh.triangle_count);
-    return (Tracer){truth, scene, *settings, tracer_emitters(truth, scene)};
+    Tracer tracer = {truth, scene, *settings, tracer_emitters(truth, scene)};
+    if (settings->bounces == 0 && tracer.emitters.count == 0)
+        tracer.settings.samples = 1; // nothing is left to chance
+    return tracer;
 }
 
 static void tracer_close(Tracer *tracer)

@@ -176,8 +176,9 @@ Test(truth_bounce, least_distance_holds_the_inverse_square)
         double sum = 0.0;
         enum { STEPS = 400 };
         for (int p = 0; p < STEPS * STEPS; p++) {
-            double x = 2.0 * (p % STEPS + 0.5) / STEPS - 1.0,
-                   z = 1.5 * ((double)(p / STEPS) + 0.5) / STEPS - 0.75, dd = below * below + x * x + z * z;
+            const int row = p / STEPS;
+            double x = 2.0 * (p % STEPS + 0.5) / STEPS - 1.0, z = 1.5 * (row + 0.5) / STEPS - 0.75,
+                   dd = below * below + x * x + z * z;
             sum += below * below / dd / fmax(dd, least[i] * least[i]);
         }
         const double expected = 2.0 / M_PI * sum * 3.0 / (STEPS * STEPS);

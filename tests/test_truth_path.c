@@ -100,7 +100,7 @@ Test(truth_path, point_light)
                            .position = size * vec3_make(x, y, 0.5f),
                            .intensity = vec3_make(7, 7, 7) * size * size,
                            .radius = 2.0f * size};
-            double d = sqrt((double)x * (double)x + (double)y * (double)y + 0.25), held = fmax(d, 2.0);
+            double d = hypot(hypot((double)x, (double)y), 0.5), held = fmax(d, 2.0);
             double expected = fmax(0.0, 7.0 * (double)y / d / (held * held));
             double got = irradiance_of(&light, BLACK, normal);
             cr_assert(fabs(got - expected) < 3e-6 * expected + 1e-12, "2^%d m, %g m away: %.8g, not %.8g",
@@ -280,8 +280,9 @@ Test(truth_path, emitting_plate_and_its_error)
         int within = 0;
         enum { COUNT = 400 };
         for (int i = 0; i < COUNT; i++) {
-            const vec3 point = vec3_make(0.1f * (float)(i % 20) - 1.0f, i % 2 ? 0.0f : 2.5f,
-                                         0.05f * (float)(i / 20)),
+            const int row = i / 20;
+            const vec3 point =
+                           vec3_make(0.1f * (float)(i % 20) - 1.0f, i % 2 ? 0.0f : 2.5f, 0.05f * (float)row),
                        normal = vec3_make(0, i % 2 ? 1.0f : -1.0f, 0);
             const TruthPathSettings settings = {
                 .samples = 1024, .emitters = (TruthEmitters)estimator, .seed = (uint64_t)i};
@@ -323,9 +324,10 @@ Test(truth_path, form_factor_of_two_plates)
         for (int p = 0; p < SIDE * SIDE; p++) {
             // one random point a cell of the receiving plate, by the hash of its number: cells make the mean's error smaller than
             // independent points would, so that the 3 errors below are generous
+            const int row = p / SIDE;
             uint64_t bits = hash_bytes(HASH_START, &p, sizeof p);
             double u = (p % SIDE + (double)(bits >> 8 & 0xffff) / 65536.0) / SIDE,
-                   v = (p / SIDE + (double)(bits >> 32 & 0xffff) / 65536.0) / SIDE;
+                   v = (row + (double)(bits >> 32 & 0xffff) / 65536.0) / SIDE;
             const vec3 point = vec3_make((float)(2.0 * u - 1.0), 0, (float)(1.5 * v - 0.75));
             TruthIrradiance got = truth_irradiance(plate.truth, plate.scene, point, vec3_make(0, 1, 0),
                                                    &(TruthPathSettings){.samples = 32, .seed = (uint64_t)p});

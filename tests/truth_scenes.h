@@ -62,14 +62,14 @@ static inline double polygon_irradiance(const vec3 *corners, int count, vec3 poi
 {
     double sum = 0.0;
     for (int i = 0; i < count; i++) {
-        double a[3], b[3], c[3], aa = 0, bb = 0, ab = 0, cc = 0, cn = 0;
+        double a[3], b[3], c[3], ab = 0, cc = 0, cn = 0;
         for (int k = 0; k < 3; k++) {
             a[k] = (double)corners[i][k] - (double)point[k];
             b[k] = (double)corners[(i + 1) % count][k] - (double)point[k];
         }
         for (int k = 0; k < 3; k++) {
             c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-            aa += a[k] * a[k], bb += b[k] * b[k], ab += a[k] * b[k];
+            ab += a[k] * b[k];
             cc += c[k] * c[k], cn += c[k] * (double)normal[k];
         }
         sum += atan2(sqrt(cc), ab) * cn / sqrt(cc);
