@@ -28,7 +28,7 @@ void raster_close(Raster *raster); // NULL is allowed
 // to the scene's box (and, where a camera is given, to what of the box it can see; what lies between there and the light still casts); point, and
 // spots wider than 80° half angle: cube, six layers in one pass. Stored as GL_R32F in metres: from the light (point, spot: Euclidean) or along
 // the light's way from the plane through `origin` (directional); +Inf where nothing is hit. Surfaces nearer to a point or spot
-// light than 10⁻⁶ of the scene's diagonal are lost; nothing else is. It is read by imageLoad (the fast way here) through shaders/common/shadow.glsl.
+// light than 10⁻¹¹ of the scene's diagonal are lost; nothing else is. It is read by imageLoad (the fast way here) through shaders/common/shadow.glsl.
 // Positions are always relative to `origin`, so that a scene far from the world's origin loses nothing.
 typedef struct DepthMap {
     LightKind kind; // LIGHT_POINT: `distance` is a 2D array of 6 layers in GL's cube face order, else 2D

@@ -7,7 +7,7 @@
 // has on the axis.
 static const float WIDEST_MAP_RAD = 1.396f;
 // Near plane of point and spot lights, of the scene's diagonal: a hundredth of the light's own radius r0. Depth needs no precision of it.
-static const float NEAR_SHARE = 1e-6f;
+static const float NEAR_SHARE = 1e-11f;
 
 // Sutherland and Hodgman (1974): keep what of the polygon is on the plane's positive side.
 static int polygon_clip(const vec3 *polygon, int count, vec3 normal, vec3 *kept)

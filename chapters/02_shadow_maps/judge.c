@@ -1,5 +1,6 @@
 // judge: see judge.h.
 #include "judge.h"
+#include "scenes.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +14,34 @@ static float *read_floats(GLuint texture, GLenum format, size_t channels, size_t
     float *data = memory_new(pixels * channels, sizeof(float), "a texture read back");
     gl_texture_read(texture, 0, format, GL_FLOAT, bytes, data);
     return data;
+}
+
+Scene judge_scene(const Scene *scene, vec3 *offset)
+{
+    const float diagonal = vec3_length(scene->upper - scene->lower);
+    const bool far = vec3_length(scene->lower) > 64.0f * diagonal && diagonal > 0.0f;
+    *offset = far ? scene->lower : vec3_make(0, 0, 0);
+    Scene moved = *scene;
+    moved.lower -= *offset;
+    moved.upper -= *offset;
+    moved.camera.eye -= *offset;
+    moved.camera.target -= *offset;
+    moved.mesh.positions =
+        memory_new(3 * scene->mesh.vertex_count + 1, sizeof(float), "the truth's positions");
+    for (size_t i = 0; i < 3 * scene->mesh.vertex_count; i++)
+        moved.mesh.positions[i] = scene->mesh.positions[i] - (*offset)[i % 3];
+    moved.lights = memory_new(scene->light_count + 1, sizeof(Light), "the truth's lights");
+    for (size_t i = 0; i < scene->light_count; i++) {
+        moved.lights[i] = scene->lights[i];
+        moved.lights[i].position -= *offset;
+    }
+    return moved;
+}
+
+void judge_scene_free(Scene *scene)
+{
+    free(scene->mesh.positions);
+    free(scene->lights);
 }
 
 // The eye's ray through the middle of a pixel, unit; row 0 is the bottom.
@@ -40,18 +69,33 @@ Visibility judge_visibility(const Asked *asked, const Truth *truth, size_t light
                     memory_new(pixels, sizeof(float), "the true visibilities")};
     float *distance = read_floats(asked->gbuffer->distance, GL_RED, 1, pixels);
     float *normals = read_floats(asked->gbuffer->normal, GL_RGBA, 4, pixels);
+    // Where the truth's rays are blind, a closed form decides: −1 elsewhere.
+    float *closed = memory_new(pixels, sizeof *closed, "closed forms");
+    vec3 *from = memory_new(pixels, sizeof *from, "shadow rays"),
+         *to = memory_new(pixels, sizeof *to, "shadow rays");
+    size_t count = 0;
     for (size_t i = 0; i < pixels; i++) {
-        v.truth[i] = -1.0f;
         if (v.got[i] < 0.0f)
             continue;
         const vec3 ray =
             pixel_ray(&asked->camera, (int)(i % (size_t)width), (int)(i / (size_t)width), width, height);
         const vec3 normal = vec3_make(normals[4 * i], normals[4 * i + 1], normals[4 * i + 2]);
         const vec3 point = asked->camera.eye + distance[i] * ray + OFF_SURFACE * distance[i] * (normal - ray);
-        const vec3 to =
-            light->kind == LIGHT_DIRECTIONAL ? point - sky_gap * light->direction : light->position;
-        v.truth[i] = truth_occluded(truth, point, to) ? 0.0f : 1.0f;
+        closed[i] = (float)scenes_lit_at(asked->scene->name, light->kind, point);
+        from[count] = point;
+        to[count++] = light->kind == LIGHT_DIRECTIONAL ? point - sky_gap * light->direction : light->position;
     }
+    uint32_t *occluded = truth_occluded_many(truth, from, to, count);
+    for (size_t i = 0, k = 0; i < pixels; i++) {
+        v.truth[i] = v.got[i] < 0.0f ? -1.0f : occluded[k >> 5] >> (k & 31) & 1 ? 0.0f : 1.0f;
+        k += v.got[i] >= 0.0f;
+        if (v.got[i] >= 0.0f && closed[i] >= 0.0f)
+            v.truth[i] = closed[i];
+    }
+    free(occluded);
+    free(closed);
+    free(from);
+    free(to);
     free(distance);
     free(normals);
     return v;
@@ -146,53 +190,48 @@ Judgement judge(const Asked *asked, const Truth *truth)
     return judgement;
 }
 
-void judge_show(const Visibility *v, GLuint picture)
+static void upload(GLuint texture, const Visibility *v, GLenum format, const float *pixels)
 {
-    const size_t pixels = (size_t)v->width * (size_t)v->height;
+    gl.TextureSubImage2D(texture, 0, 0, 0, v->width, v->height, format, GL_FLOAT, pixels);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void judge_show(const Asked *asked, const Truth *truth, size_t light, GLuint picture)
+{
+    Visibility v = judge_visibility(asked, truth, light);
+    const size_t pixels = (size_t)v.width * (size_t)v.height;
     float *rgba = memory_new(pixels, 4 * sizeof(float), "the difference");
     for (size_t i = 0; i < pixels; i++) {
-        const float grey = v->truth[i] < 0.0f ? 0.01f : 0.03f + 0.25f * v->truth[i];
-        const float error = v->truth[i] < 0.0f ? 0.0f : v->got[i] - v->truth[i];
+        const float grey = v.truth[i] < 0.0f ? 0.01f : 0.03f + 0.25f * v.truth[i];
+        const float error = v.truth[i] < 0.0f ? 0.0f : v.got[i] - v.truth[i];
         const float shown[] = {grey + fmaxf(-error, 0.0f), grey, grey + fmaxf(error, 0.0f), 1.0f};
         memcpy(rgba + 4 * i, shown, sizeof shown);
     }
-    gl.TextureSubImage2D(picture, 0, 0, 0, v->width, v->height, GL_RGBA, GL_FLOAT, rgba);
+    upload(picture, &v, GL_RGBA, rgba);
     free(rgba);
+    judge_visibility_free(&v);
 }
 
-Image judge_paint(const Visibility *v)
+Image judge_paint(const Asked *asked, const Truth *truth, size_t light)
 {
-    Image image = image_make(v->width, v->height, 3);
-    for (int i = 0; i < v->width * v->height; i++) {
-        const int row = v->height - 1 - i / v->width;
-        const float seen = v->truth[(size_t)row * (size_t)v->width + (size_t)(i % v->width)];
-        const float nothing[] = {0.01f, 0.015f, 0.05f}; // as paint.comp
-        for (int c = 0; c < 3; c++)
+    static const float nothing[] = {0.01f, 0.015f, 0.05f}; // as paint.comp
+    Image image = image_make(asked->gbuffer->width, asked->gbuffer->height, 3);
+    if (light >= asked->scene->light_count)
+        return image;
+    Visibility v = judge_visibility(asked, truth, light);
+    for (size_t i = 0; i < (size_t)v.width * (size_t)v.height; i++) {
+        const size_t row = (size_t)v.height - 1 - i / (size_t)v.width;
+        const float seen = v.truth[row * (size_t)v.width + i % (size_t)v.width];
+        for (size_t c = 0; c < 3; c++)
             image.pixels[3 * i + c] = seen < 0.0f ? nothing[c] : seen;
     }
+    judge_visibility_free(&v);
     return image;
 }
 
-// What a series of rows has measured so far: one a technique and scene.
-typedef struct Series {
-    char name[64];
-    double side[8], wrong[8];
-    size_t count;
-} Series;
-
-void judge_sweep(Run *run, const Judgement *j, const Image *picture, const Image *truth)
+void judge_rays(const Asked *asked, const Truth *truth, size_t light)
 {
-    run_error(run, "truth", "wrong", j->wrong);
-    run_error(run, "truth", "wrong_dark", j->dark);
-    run_error(run, "truth", "wrong_lit", j->leaked);
-    run_error(run, "truth", "mean_difference", j->difference);
-    run_error(run, "truth", "edge_distance_mean", j->distance_mean);
-    run_error(run, "truth", "edge_distance_p99", j->distance_p99);
-    run_error(run, "truth", "edge_distance_max", j->distance_most);
-    const ImageError light = image_compare(picture, truth);
-    run_error(run, "truth", "nrmse", light.nrmse);
-    run_error(run, "truth", "rel_rmse", light.rel_rmse);
-    run_error(run, "truth", "p99_abs", light.p99_abs);
-    run_error(run, "truth", "max_abs", light.max_abs);
-    run_error(run, "truth", "mean_ratio", light.mean_ratio);
+    Visibility v = judge_visibility(asked, truth, light);
+    upload(asked->visibility[light], &v, GL_RED, v.truth);
+    judge_visibility_free(&v);
 }

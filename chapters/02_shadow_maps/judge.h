@@ -6,7 +6,12 @@
 #include "run.h"
 #include "truth.h"
 
-// What was asked and answered, and in which view.
+// The scene where float32 is fine: far from the origin (more than 64 of its diagonals) its triangles and lights about the origin, in new memory, and
+// the way there; near it nothing moves. So the truth's rays are not rounded more than the technique, which never forms a world coordinate.
+Scene judge_scene(const Scene *scene, vec3 *offset);
+void judge_scene_free(Scene *scene);
+
+// What was asked and answered, and in which view; scene and camera as judge_scene has moved them.
 typedef struct Asked {
     const Scene *scene; // with the lights that were shown, which may not be its own
     Camera camera;
@@ -35,12 +40,24 @@ typedef struct Judgement {
 Judgement judge(const Asked *asked, const Truth *truth);
 Judgement judge_of(const Visibility *visibilities, size_t count);
 
-// Green where both agree on light, black on shadow; red: dark, though lit; blue: lit, though dark. Uploaded to the picture.
-void judge_show(const Visibility *visibility, GLuint picture);
-// The truth as map_paint shows the technique's.
-Image judge_paint(const Visibility *visibility);
+// Grey where technique and truth agree, light or dark; red: dark, though lit; blue: lit, though dark. Into the picture.
+void judge_show(const Asked *asked, const Truth *truth, size_t light, GLuint picture);
+// The truth as map_paint shows the technique's visibility.
+Image judge_paint(const Asked *asked, const Truth *truth, size_t light);
+// Brute force: the true visibility in place of the map's.
+void judge_rays(const Asked *asked, const Truth *truth, size_t light);
 
-// Error rows of a sweep; the order of convergence comes with the last resolution of a series of rows of one name and scene.
-void judge_sweep(Run *run, const Judgement *judgement, const Image *picture, const Image *truth);
+// The truth's light through the middle of each pixel, cached under out/truth: direct light; the one bounce alone, in the reflective map's own
+// model (nothing blocks its way) or as it is; both.
+typedef enum JudgeLight { DIRECT_LIGHT, BOUNCE_UNOCCLUDED, BOUNCE_ALONE, LIGHT_AND_BOUNCE } JudgeLight;
+Image judge_light(const Asked *asked, const Truth *truth, JudgeLight what);
+
+// Error rows of a sweep; the order of convergence comes with the last resolution of a series: rows of one name and scene.
+typedef struct Series Series;
+Series *judge_series_new(void); // free() it
+void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *truth, GLuint picture,
+                 bool bounce);
+// The checks of a stability case.
+void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint picture);
 
 #endif

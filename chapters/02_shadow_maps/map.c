@@ -13,6 +13,9 @@ static Shader *open_shape(const char *label, int shape, const char *more, const 
 MapShaders map_shaders_open(void)
 {
     MapShaders s = {.paint = shader_open("paint", NULL, "02_shadow_maps/paint.comp")};
+    for (int layered = 0; layered < 2; layered++)
+        s.show_flux[layered] =
+            shader_open("show flux", layered ? "LAYERED 1" : "LAYERED 0", "02_shadow_maps/show_flux.comp");
     for (int shape = 0; shape < MAP_SHAPES; shape++) {
         s.receivers[shape] = open_shape("receivers", shape, "", "02_shadow_maps/receivers.comp");
         s.casters[shape] = open_shape("casters", shape, "", "02_shadow_maps/casters.comp");
@@ -42,6 +45,8 @@ void map_shaders_close(MapShaders *s)
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         for (int shape = 0; shape < MAP_SHAPES; shape++)
             shader_close(all[i][shape]);
+    shader_close(s->show_flux[0]);
+    shader_close(s->show_flux[1]);
     shader_close(s->depth_cut);
     shader_close(s->paint);
 }

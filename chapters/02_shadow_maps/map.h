@@ -28,7 +28,7 @@ typedef struct MapLookup {
 typedef struct MapShaders {
     Shader *receivers[MAP_SHAPES], *casters[MAP_SHAPES], *depth[MAP_SHAPES], *moments_x[MAP_SHAPES],
         *moments_y[MAP_SHAPES], *visibility[MAP_SHAPES], *light[MAP_SHAPES], *show[MAP_SHAPES];
-    Shader *depth_cut, *paint;
+    Shader *depth_cut, *paint, *show_flux[2]; // [1]: a cube's
 } MapShaders;
 MapShaders map_shaders_open(void);
 void map_shaders_close(MapShaders *shaders);
@@ -81,6 +81,8 @@ void map_light(const MapShaders *shaders, const ShadowMap *map, const Light *lig
 
 // Pictures of a map, near white and far black, and of a visibility.
 void map_show(const MapShaders *shaders, const ShadowMap *map, GLuint picture, int width, int height);
+void map_show_flux(const MapShaders *shaders, const ReflectiveMap *map, GLuint picture, int width,
+                   int height);
 void map_paint(const MapShaders *shaders, GLuint visibility, GLuint picture, int width, int height);
 
 #endif

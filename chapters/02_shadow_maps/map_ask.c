@@ -134,6 +134,27 @@ void map_show(const MapShaders *shaders, const ShadowMap *map, GLuint picture, i
     dispatch(width, height, 1);
 }
 
+void map_show_flux(const MapShaders *shaders, const ReflectiveMap *map, GLuint picture, int width, int height)
+{
+    const bool cube = map->depth.kind == LIGHT_POINT;
+    const size_t side = (size_t)map->depth.resolution, texels = (cube ? 6 : 1) * side * side;
+    float *flux = memory_new(texels, 4 * sizeof(float), "the reflective map");
+    gl_texture_read(map->flux, 0, GL_RGBA, GL_FLOAT, texels * 4 * sizeof(float), flux);
+    double sum = 0, count = 0; // the mean of the texels that have any becomes a middle grey
+    for (size_t i = 0; i < texels; i++) {
+        const float watts = fmaxf(flux[4 * i], fmaxf(flux[4 * i + 1], flux[4 * i + 2]));
+        sum += watts;
+        count += watts > 0.0f;
+    }
+    free(flux);
+    const Shader *shader = shaders->show_flux[cube];
+    shader_use(shader);
+    shader_set_float(shader, "scale", sum > 0 ? (float)(0.3 * count / sum) : 0.0f);
+    bind_image(0, picture, GL_WRITE_ONLY, GL_RGBA32F);
+    bind_image(1, map->flux, GL_READ_ONLY, GL_RGBA32F);
+    dispatch(width, height, 1);
+}
+
 void map_paint(const MapShaders *shaders, GLuint visibility, GLuint picture, int width, int height)
 {
     shader_use(shaders->paint);

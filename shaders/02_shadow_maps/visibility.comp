@@ -50,14 +50,15 @@ float lit_pcf(Place place, vec2 size, float nearer)
 {
     vec2 at = (0.5 * place.at + 0.5) * size, lower = at - radius, upper = at + radius;
     ivec2 first = ivec2(floor(lower)), last = ivec2(floor(upper));
-    float sum = 0.0;
+    float lit = 0.0, all = 0.0;
     for (int y = first.y; y <= last.y; y++)
         for (int x = first.x; x <= last.x; x++) {
             vec2 texel = vec2(x, y);
             vec2 covered = min(texel + 1.0, upper) - max(texel, lower);
-            sum += covered.x * covered.y * float(nearer <= map_load(place.layer, ivec2(x, y)));
+            all += covered.x * covered.y;
+            lit += covered.x * covered.y * float(nearer <= map_load(place.layer, ivec2(x, y)));
         }
-    return sum / (4.0 * radius * radius);
+    return lit / all; // exactly 1 where all is lit, however the parts were rounded
 }
 //]
 
