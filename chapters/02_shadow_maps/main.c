@@ -6,11 +6,11 @@
 // each is too slow. A depth map answers from memory, up to a texel.
 // Source: Williams, "Casting curved shadows on curved surfaces" (1978); Gomes (2015), section 2.2; Brabec, Annen and Seidel (2002); Donnelly and
 // Lauritzen (2006); Dachsbacher and Stamminger (2005).
-#include "about.h"
-#include "judge.h"
-#include "light.h"
+#include "shadow_about.h"
+#include "shadow_judge.h"
+#include "shadow_light.h"
 #include "rsm.h"
-#include "scenes.h"
+#include "shadow_scenes.h"
 #include <stdlib.h>
 
 // why passes are left out
@@ -216,7 +216,7 @@ static void direct_light(Frame *frame, const char *ask_pass, const char *light_p
 
 int main(int argc, char **argv)
 {
-    Run *run = run_open(&about, argc, argv);
+    Run *run = run_open(&shadow_about, argc, argv);
     Raster *raster = raster_open();
     MapShaders shaders = map_shaders_open();
     Rsm rsm = rsm_open();

@@ -26,14 +26,15 @@ MapShaders map_shaders_open(void)
         s.show[shape] = open_shape("show", shape, "", "02_shadow_maps/show.comp");
         char *definitions =
             text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 0", shape, shape); // as depth_map.frag says it
-        s.depth[shape] =
-            shader_open("depth map", definitions, "02_shadow_maps/casters.vert", "common/depth_map.frag");
+        s.depth[shape] = shader_open("depth map", definitions, "02_shadow_maps/casters.vert",
+                                     shape == MAP_PARABOLOID ? "02_shadow_maps/paraboloid.frag"
+                                                             : "common/depth_map.frag");
         free(definitions);
     }
     char *definitions = text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 1", MAP_PARABOLOID, MAP_PARABOLOID);
-    s.depth_cut =
-        shader_open("depth map, cut", definitions, "02_shadow_maps/casters.vert",
-                    "02_shadow_maps/casters.tesc", "02_shadow_maps/casters.tese", "common/depth_map.frag");
+    s.depth_cut = shader_open("depth map, cut", definitions, "02_shadow_maps/casters.vert",
+                              "02_shadow_maps/casters.tesc", "02_shadow_maps/casters.tese",
+                              "02_shadow_maps/paraboloid.frag");
     free(definitions);
     return s;
 }

@@ -1,6 +1,6 @@
-// about: see about.h.
-#include "about.h"
-#include "scenes.h"
+// shadow_about: see shadow_about.h.
+#include "shadow_about.h"
+#include "shadow_scenes.h"
 
 static const char *const scenes[] = {
     "bunny", "cornell", "colonnade", "fence", "chapters/02_shadow_maps/lamps.gltf", NULL};
@@ -102,7 +102,7 @@ static const RunRow sweep[] = {
     {NULL, NULL, NULL, NULL},
 };
 
-// Each case's scene is made in scenes.c, which also knows its closed forms. 96² pixels are enough to see a border move by one.
+// Each case's scene is made in shadow_scenes.c, which also knows its closed forms. 96² pixels are enough to see a border move by one.
 #define CASE(name, scene, settings)                                                                          \
     {                                                                                                        \
         name, scene, settings, "96x96"                                                                       \
@@ -138,7 +138,7 @@ static const RunRow stability[] = {
     {NULL, NULL, NULL, NULL},
 };
 
-const RunAbout about = {
+const RunAbout shadow_about = {
     .chapter = "02_shadow_maps",
     .title = "Shadow maps",
     .shows =

@@ -1,6 +1,6 @@
-// judge_tables: the truth's light, and the rows of the sweep and of the stability table. See judge.h.
-#include "judge.h"
-#include "scenes.h"
+// shadow_judge_tables: the truth's light, and the rows of the sweep and of the stability table. See shadow_judge.h.
+#include "shadow_judge.h"
+#include "shadow_scenes.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -113,7 +113,7 @@ void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *trut
         image_free(&own);
         image_free(&whole);
     } else {
-        const Judgement j = judge(asked, truth);
+        const Judgement j = judge_all(asked, truth);
         run_error(run, "truth", "wrong", j.wrong);
         run_error(run, "truth", "wrong_dark", j.dark);
         run_error(run, "truth", "wrong_lit", j.leaked);
@@ -176,7 +176,7 @@ void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint pi
         // Every pixel or none: nothing is rounded, so nothing is tolerated.
         run_check(run, "lit", closed, got, 0.0, nonfinite);
     } else {
-        const Judgement j = judge(asked, truth);
+        const Judgement j = judge_all(asked, truth);
         run_check(run, "lit", expected, got, BORDER_SHARE, nonfinite);
         run_check(run, "farthest wrong", 0.0, j.distance_most, BORDER_PIXELS, nonfinite);
     }

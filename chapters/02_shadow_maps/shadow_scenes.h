@@ -1,6 +1,6 @@
-// scenes: what the stability table is about. Each has a closed form: which share of the pixels that ask for light is lit, or where a shadow ends.
-#ifndef SCENES_H
-#define SCENES_H
+// shadow_scenes: what the stability table is about. Each has a closed form: which share of the pixels that ask for light is lit, or where a shadow ends.
+#ifndef SHADOW_SCENES_H
+#define SHADOW_SCENES_H
 
 #include "scene.h"
 

@@ -1,5 +1,5 @@
-// light: see light.h.
-#include "light.h"
+// shadow_light: see shadow_light.h.
+#include "shadow_light.h"
 
 static const float SPOT_HALF_ANGLE_RAD = 0.7f; // where the whole scene does not fit into less
 static const float SUN_FROM_DIAGONALS =

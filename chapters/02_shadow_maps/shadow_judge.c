@@ -1,6 +1,6 @@
-// judge: see judge.h.
-#include "judge.h"
-#include "scenes.h"
+// shadow_judge: see shadow_judge.h.
+#include "shadow_judge.h"
+#include "shadow_scenes.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -177,7 +177,7 @@ Judgement judge_of(const Visibility *visibilities, size_t count)
     return sum;
 }
 
-Judgement judge(const Asked *asked, const Truth *truth)
+Judgement judge_all(const Asked *asked, const Truth *truth)
 {
     const size_t count = asked->scene->light_count;
     Visibility *v = memory_new(count ? count : 1, sizeof *v, "the visibilities");

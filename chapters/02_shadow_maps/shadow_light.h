@@ -1,6 +1,6 @@
-// light: the lights that the chapter shows: a scene's own, or one that is made for the scene, of the kind that a step is about.
-#ifndef LIGHT_H
-#define LIGHT_H
+// shadow_light: the lights that the chapter shows: a scene's own, or one that is made for the scene, of the kind that a step is about.
+#ifndef SHADOW_LIGHT_H
+#define SHADOW_LIGHT_H
 
 #include "scene.h"
 

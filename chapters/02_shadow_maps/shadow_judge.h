@@ -1,6 +1,6 @@
-// judge: what visibilities and pictures are judged by: Embree's shadow rays from the surface points of the G-buffer, and the truth's light.
-#ifndef JUDGE_H
-#define JUDGE_H
+// shadow_judge: what visibilities and pictures are judged by: Embree's shadow rays from the surface points of the G-buffer, and the truth's light.
+#ifndef SHADOW_JUDGE_H
+#define SHADOW_JUDGE_H
 
 #include "map.h"
 #include "run.h"
@@ -37,7 +37,7 @@ typedef struct Judgement {
     // Pixels from a wrong pixel to the nearest whose true visibility is the other: half a pixel away the border lies. 0 where none is wrong.
     double distance_mean, distance_p99, distance_most;
 } Judgement;
-Judgement judge(const Asked *asked, const Truth *truth);
+Judgement judge_all(const Asked *asked, const Truth *truth);
 Judgement judge_of(const Visibility *visibilities, size_t count);
 
 // Grey where technique and truth agree, light or dark; red: dark, though lit; blue: lit, though dark. Into the picture.

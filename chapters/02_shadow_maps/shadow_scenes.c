@@ -1,5 +1,5 @@
-// scenes: see scenes.h.
-#include "scenes.h"
+// shadow_scenes: see shadow_scenes.h.
+#include "shadow_scenes.h"
 #include <string.h>
 
 static uint32_t add_stone(Scene *scene)
