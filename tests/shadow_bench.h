@@ -43,10 +43,11 @@ static inline float *shadow_read(GLuint texture, GLenum format, int channels, si
 }
 
 // Everything from the receivers to the visibilities, bottom row first.
-static inline float *shadow_ask(const ShadowBench *bench, const ShadowMap *map, const MapLookup *lookup,
+static inline float *shadow_ask(ShadowBench *bench, const ShadowMap *map, const MapLookup *lookup,
                                 float tessellation)
 {
     const Light *light = &bench->scene->lights[0];
+    map_shaders_add(&bench->shaders, map->shape);
     map_find_receivers(&bench->shaders, map, light, &bench->gbuffer, &bench->camera, lookup);
     const MapCasters casters =
         map_find_casters(&bench->shaders, map, light, &bench->mesh, lookup, tessellation);

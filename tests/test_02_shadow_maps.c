@@ -362,6 +362,7 @@ Test(shadow, a_map_serves_the_view_that_it_was_drawn_for)
     const Light *light = &bench.scene->lights[0];
     const MapLookup lookup = {.bias = BIAS_SLOPE, .bias_size = 1, .radius = 1};
     ShadowMap map = map_create(bench.scene, light, false, false, 512, NULL, 1);
+    map_shaders_add(&bench.shaders, map.shape);
     const Camera whole = bench.camera;
     bench.camera.target = vec3_make(1.9f, 0, 7.5f); // a piece of floor before the quad's shadow
     bench.camera.vertical_fov_rad = 0.2f;

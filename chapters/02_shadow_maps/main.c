@@ -251,6 +251,7 @@ int main(int argc, char **argv)
             rigs[i].map = map_create(&scene, &scene.lights[i], run_chosen(run, "map", "paraboloid"),
                                      filtered.filter == FILTER_VARIANCE, run_integer(run, "resolution"),
                                      fit_view ? &camera : NULL, run_aspect(run));
+            map_shaders_add(&shaders, rigs[i].map.shape);
             rigs[i].reflective =
                 raster_reflective_map(&scene, &scene.lights[i], run_integer(run, "reflective_resolution"));
             visibility[i] =

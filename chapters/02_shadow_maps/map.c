@@ -12,31 +12,34 @@ static Shader *open_shape(const char *label, int shape, const char *more, const 
 
 MapShaders map_shaders_open(void)
 {
-    MapShaders s = {.paint = shader_open("paint", NULL, "02_shadow_maps/paint.comp")};
-    for (int layered = 0; layered < 2; layered++)
-        s.show_flux[layered] =
-            shader_open("show flux", layered ? "LAYERED 1" : "LAYERED 0", "02_shadow_maps/show_flux.comp");
-    for (int shape = 0; shape < MAP_SHAPES; shape++) {
-        s.receivers[shape] = open_shape("receivers", shape, "", "02_shadow_maps/receivers.comp");
-        s.casters[shape] = open_shape("casters", shape, "", "02_shadow_maps/casters.comp");
-        s.moments_x[shape] = open_shape("moments", shape, "ALONG_Y 0\n", "02_shadow_maps/moments.comp");
-        s.moments_y[shape] = open_shape("moments", shape, "ALONG_Y 1\n", "02_shadow_maps/moments.comp");
-        s.visibility[shape] = open_shape("visibility", shape, "", "02_shadow_maps/visibility.comp");
-        s.light[shape] = open_shape("light", shape, "", "02_shadow_maps/light.comp");
-        s.show[shape] = open_shape("show", shape, "", "02_shadow_maps/show.comp");
-        char *definitions =
-            text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 0", shape, shape); // as depth_map.frag says it
-        s.depth[shape] = shader_open("depth map", definitions, "02_shadow_maps/casters.vert",
-                                     shape == MAP_PARABOLOID ? "02_shadow_maps/paraboloid.frag"
-                                                             : "common/depth_map.frag");
-        free(definitions);
-    }
-    char *definitions = text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 1", MAP_PARABOLOID, MAP_PARABOLOID);
-    s.depth_cut = shader_open("depth map, cut", definitions, "02_shadow_maps/casters.vert",
-                              "02_shadow_maps/casters.tesc", "02_shadow_maps/casters.tese",
-                              "02_shadow_maps/paraboloid.frag");
-    free(definitions);
-    return s;
+    return (MapShaders){
+        .paint = shader_open("paint", NULL, "02_shadow_maps/paint.comp"),
+        .show_flux = {shader_open("show flux", "LAYERED 0", "02_shadow_maps/show_flux.comp"),
+                      shader_open("show flux", "LAYERED 1", "02_shadow_maps/show_flux.comp")}};
+}
+
+void map_shaders_add(MapShaders *s, MapShape shape)
+{
+    const bool paraboloid = shape == MAP_PARABOLOID;
+    if (s->show[shape])
+        return;
+    s->receivers[shape] = open_shape("receivers", shape, "", "02_shadow_maps/receivers.comp");
+    s->casters[shape] = open_shape("casters", shape, "", "02_shadow_maps/casters.comp");
+    s->moments_x[shape] = open_shape("moments", shape, "ALONG_Y 0\n", "02_shadow_maps/moments.comp");
+    s->moments_y[shape] = open_shape("moments", shape, "ALONG_Y 1\n", "02_shadow_maps/moments.comp");
+    s->visibility[shape] = open_shape("visibility", shape, "", "02_shadow_maps/visibility.comp");
+    s->light[shape] = open_shape("light", shape, "", "02_shadow_maps/light.comp");
+    s->show[shape] = open_shape("show", shape, "", "02_shadow_maps/show.comp");
+    char *whole = text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 0", shape, shape); // MAP_KIND: depth_map.frag's
+    char *cut = text_format("SHAPE %d\nPATCHES 1", shape);
+    s->depth[shape] = shader_open("depth map", whole, "02_shadow_maps/casters.vert",
+                                  paraboloid ? "02_shadow_maps/paraboloid.frag" : "common/depth_map.frag");
+    if (paraboloid)
+        s->depth_cut =
+            shader_open("depth map, cut", cut, "02_shadow_maps/casters.vert", "02_shadow_maps/casters.tesc",
+                        "02_shadow_maps/casters.tese", "02_shadow_maps/paraboloid.frag");
+    free(whole);
+    free(cut);
 }
 
 void map_shaders_close(MapShaders *s)

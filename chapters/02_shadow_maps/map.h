@@ -31,6 +31,8 @@ typedef struct MapShaders {
     Shader *depth_cut, *paint, *show_flux[2]; // [1]: a cube's
 } MapShaders;
 MapShaders map_shaders_open(void);
+// Those of one shape, unless they are there already: compiling all of them takes longer than a picture.
+void map_shaders_add(MapShaders *shaders, MapShape shape);
 void map_shaders_close(MapShaders *shaders);
 
 // The map of one light, with what the GPU needs to know about it. `depth.kind` is LIGHT_POINT for both shapes with layers.
