@@ -88,7 +88,7 @@ static LightChoice light_choice(const Run *run)
 }
 
 static double gather(Run *run, const Rsm *rsm, const GBuffer *gbuffer, const Camera *camera,
-                     const ReflectiveMap *map, GLuint picture)
+                     const ReflectiveMap *map, bool all, GLuint picture)
 {
     const RsmGather how = {.gbuffer = gbuffer,
                            .camera = camera,
@@ -99,11 +99,11 @@ static double gather(Run *run, const Rsm *rsm, const GBuffer *gbuffer, const Cam
     const RsmPattern pattern = {.samples = run_integer(run, "samples"),
                                 .radius = (float)run_number(run, "gather_radius"),
                                 .rotated = run_chosen(run, "pattern", "rotated"),
-                                .sampling =
-                                    run_chosen(run, "weight", "printed") ? RSM_AS_PRINTED : RSM_ABOUT_PIXEL,
+                                .sampling = run_chosen(run, "sampling", "printed") ? RSM_AS_PRINTED
+                                            : run_chosen(run, "sampling", "even")  ? RSM_EVENLY
+                                                                                   : RSM_ABOUT_PIXEL,
                                 .seed = 1};
-    return run_chosen(run, "gather", "all") ? rsm_gather_all(rsm, &how)
-                                            : rsm_gather_importance(rsm, &how, &pattern);
+    return all ? rsm_gather_all(rsm, &how) : rsm_gather_importance(rsm, &how, &pattern);
 }
 
 // What the passes of one frame share.
@@ -325,7 +325,7 @@ int main(int argc, char **argv)
                 if (run_pass(run, "gather", gather_needed, show_bounce ? SAME_VIEW : NOT_SHOWN))
                     run_count(run, "texels_a_pixel",
                               gather(run, &rsm, &gbuffer, &camera, &rigs[i].reflective,
-                                     show_bounce ? picture : spare));
+                                     run_chosen(run, "gather", "all"), show_bounce ? picture : spare));
             //]
             run_step(run, "bounce", picture);
 
@@ -342,8 +342,12 @@ int main(int argc, char **argv)
             }
         }
         const Asked asked = asked_of(&frame);
-        if (run_measuring_error(run))
-            judge_sweep(run, series, &asked, truth, picture, try_bounce);
+        if (run_measuring_error(run)) {
+            gl.ClearTexImage(spare, 0, GL_RGBA, GL_FLOAT, (const float[]){0, 0, 0, 1});
+            for (size_t i = 0; i < scene.light_count && try_bounce; i++)
+                gather(run, &rsm, &gbuffer, &camera, &rigs[i].reflective, true, spare);
+            judge_sweep(run, series, &asked, truth, picture, try_bounce ? spare : 0);
+        }
         if (run_checking(run))
             judge_stability(run, &asked, truth, picture);
 

@@ -2,9 +2,9 @@
 #include "map.h"
 #include "map_internal.h"
 
-static Shader *open_shape(const char *label, int shape, const char *more, const char *file)
+static Shader *open_shape(const char *label, MapShape shape, const char *more, const char *file)
 {
-    char *definitions = text_format("SHAPE %d\n%s", shape, more);
+    char *definitions = text_format("SHAPE %d\n%s", (int)shape, more);
     Shader *shader = shader_open(label, definitions, file);
     free(definitions);
     return shader;
@@ -30,8 +30,9 @@ void map_shaders_add(MapShaders *s, MapShape shape)
     s->visibility[shape] = open_shape("visibility", shape, "", "02_shadow_maps/visibility.comp");
     s->light[shape] = open_shape("light", shape, "", "02_shadow_maps/light.comp");
     s->show[shape] = open_shape("show", shape, "", "02_shadow_maps/show.comp");
-    char *whole = text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 0", shape, shape); // MAP_KIND: depth_map.frag's
-    char *cut = text_format("SHAPE %d\nPATCHES 1", shape);
+    char *whole =
+        text_format("SHAPE %d\nMAP_KIND %d\nPATCHES 0", (int)shape, (int)shape); // MAP_KIND: depth_map.frag's
+    char *cut = text_format("SHAPE %d\nPATCHES 1", (int)shape);
     s->depth[shape] = shader_open("depth map", whole, "02_shadow_maps/casters.vert",
                                   paraboloid ? "02_shadow_maps/paraboloid.frag" : "common/depth_map.frag");
     if (paraboloid)

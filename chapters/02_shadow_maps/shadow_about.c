@@ -27,7 +27,7 @@ static const RunParameter parameters[] = {
     {.name = "samples", .kind = RUN_INTEGER, .least = 1, .most = 65536, .initial = {400}, .unit = "texels", .shows = "gather=importance: texels a pixel"},
     {.name = "gather_radius", .kind = RUN_NUMBER, .least = 0.01, .most = 1, .initial = {1}, .shows = "gather=importance: how far samples reach, of the way to the farthest texel"},
     {.name = "pattern", .kind = RUN_CHOICE, .choices = "rotated same", .shows = "gather=importance: a pattern for each pixel (noise) or one for all (bands)"},
-    {.name = "weight", .kind = RUN_CHOICE, .choices = "unbiased printed", .shows = "gather=importance: weight of a sample, right or as the paper prints it"},
+    {.name = "sampling", .kind = RUN_CHOICE, .choices = "near printed even", .shows = "gather=importance: texels near the pixel's own place, weighted for that; weighted as the paper prints it (spot, directional); texels drawn evenly"},
     {.name = "falloff", .kind = RUN_CHOICE, .choices = "disc clamp", .shows = "light of a texel near by: a disc of its area, or 1/r^2 held inside `clamp`"},
     {.name = "clamp", .kind = RUN_NUMBER, .least = 0, .most = 1e8, .initial = {0.1}, .unit = "m", .shows = "falloff=clamp: distance"},
     {.name = "trial", .kind = RUN_CHOICE, .choices = "shadow bounce", .shows = "what --sweep and --stability judge"},
@@ -60,6 +60,17 @@ static const RunStep steps[] = {
         ROW(name, settings " filter=nearest resolution=1024"),                                               \
         ROW(name, settings " filter=nearest resolution=2048"),                                               \
         ROW(name, settings " filter=nearest resolution=4096")
+#define BOUNCE(name, settings)                                                                               \
+    {                                                                                                        \
+        name, "cornell", "trial=bounce " settings, "96x96"                                                   \
+    }
+#define SAMPLES(name, settings)                                                                              \
+    BOUNCE(name, settings " samples=16"), BOUNCE(name, settings " samples=64"),                              \
+        BOUNCE(name, settings " samples=256"), BOUNCE(name, settings " samples=1024"),                       \
+        BOUNCE(name, settings " samples=4096")
+#define RADII(name, settings)                                                                                \
+    BOUNCE(name, settings " gather_radius=0.5"), BOUNCE(name, settings " gather_radius=0.25"),               \
+        BOUNCE(name, settings " gather_radius=0.125")
 static const RunRow sweep[] = {
     SIZES("spot", "kind=spot"),
     SIZES("sun, fitted to the view", "kind=directional fit=view"),
@@ -91,14 +102,17 @@ static const RunRow sweep[] = {
     ROW("paraboloid, edges", "kind=point map=paraboloid filter=nearest tessellation=0.25"),
     ROW("rays", "kind=spot visibility_by=rays"),
     ROW("rays", "kind=point visibility_by=rays"),
-    {"bounce, all texels", "cornell", "trial=bounce gather=all reflective_resolution=32", "96x96"},
-    {"bounce, all texels", "cornell", "trial=bounce gather=all reflective_resolution=64", "96x96"},
-    {"bounce, samples", "cornell", "trial=bounce samples=25", "96x96"},
-    {"bounce, samples", "cornell", "trial=bounce samples=100", "96x96"},
-    {"bounce, samples", "cornell", "trial=bounce samples=400", "96x96"},
-    {"bounce, samples", "cornell", "trial=bounce samples=1600", "96x96"},
-    {"bounce, weight as printed", "cornell", "trial=bounce samples=400 weight=printed kind=spot", "96x96"},
-    {"bounce, samples", "fence", "trial=bounce samples=400", "96x96"},
+    BOUNCE("bounce, all texels", "gather=all reflective_resolution=32"),
+    BOUNCE("bounce, all texels", "gather=all reflective_resolution=64"),
+    BOUNCE("bounce, all texels", "gather=all reflective_resolution=128"),
+    SAMPLES("bounce, near", "reflective_resolution=64"),
+    SAMPLES("bounce, even", "reflective_resolution=64 sampling=even"),
+    SAMPLES("bounce, spot, near", "kind=spot"),
+    SAMPLES("bounce, spot, even", "kind=spot sampling=even"),
+    SAMPLES("bounce, spot, as printed", "kind=spot sampling=printed"),
+    RADII("bounce, radius", "reflective_resolution=64 samples=1024"),
+    RADII("bounce, spot, radius", "kind=spot samples=1024"),
+    {"bounce, near", "fence", "trial=bounce samples=256", "96x96"},
     {NULL, NULL, NULL, NULL},
 };
 

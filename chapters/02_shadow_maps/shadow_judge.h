@@ -52,11 +52,12 @@ void judge_rays(const Asked *asked, const Truth *truth, size_t light);
 typedef enum JudgeLight { DIRECT_LIGHT, BOUNCE_UNOCCLUDED, BOUNCE_ALONE, LIGHT_AND_BOUNCE } JudgeLight;
 Image judge_light(const Asked *asked, const Truth *truth, JudgeLight what);
 
-// Error rows of a sweep; the order of convergence comes with the last resolution of a series: rows of one name and scene.
+// Error rows of a sweep; the order of convergence comes with the last resolution of a series: rows of one name and scene. Where `all_texels` is given, the
+// picture is a bounce alone, and that is the bounce which its texels make all together.
 typedef struct Series Series;
 Series *judge_series_new(void); // free() it
 void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *truth, GLuint picture,
-                 bool bounce);
+                 GLuint all_texels);
 // The checks of a stability case.
 void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint picture);
 

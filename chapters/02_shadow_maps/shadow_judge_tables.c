@@ -54,15 +54,23 @@ static Image image_of(GLuint picture, int width, int height)
     return image;
 }
 
-static void light_rows(Run *run, const Image *got, const Image *truth, const char *prefix)
+static void light_rows(Run *run, const char *reference, const Image *got, const Image *expected,
+                       const char *prefix)
 {
-    static const char *const names[][5] = {{"nrmse", "rel_rmse", "p99_abs", "max_abs", "mean_ratio"},
-                                           {"own_model_nrmse", "own_model_rel_rmse", "own_model_p99_abs",
-                                            "own_model_max_abs", "own_model_mean_ratio"}};
-    const ImageError e = image_compare(got, truth);
-    const double values[] = {e.nrmse, e.rel_rmse, e.p99_abs, e.max_abs, e.mean_ratio};
-    for (int i = 0; i < 5; i++)
-        run_error(run, "truth", names[prefix != NULL][i], values[i]);
+    const ImageError e = image_compare(got, expected);
+    const struct {
+        const char *name;
+        double value;
+    } rows[] = {{"nrmse", e.nrmse},
+                {"rel_rmse", e.rel_rmse},
+                {"p99_abs", e.p99_abs},
+                {"max_abs", e.max_abs},
+                {"mean_ratio", e.mean_ratio}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *metric = text_format("%s%s", prefix, rows[i].name);
+        run_error(run, reference, metric, rows[i].value);
+        free(metric);
+    }
 }
 
 // What the rows of one name and scene have measured so far.
@@ -101,15 +109,18 @@ static double order_of(Series *series, const Run *run, const Scene *scene, doubl
 }
 
 void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *truth, GLuint picture,
-                 bool bounce)
+                 GLuint all_texels)
 {
     const int width = asked->gbuffer->width, height = asked->gbuffer->height;
     Image got = image_of(picture, width, height);
-    if (bounce) {
+    if (all_texels) {
+        Image converged = image_of(all_texels, width, height);
         Image own = judge_light(asked, truth, BOUNCE_UNOCCLUDED);
         Image whole = judge_light(asked, truth, BOUNCE_ALONE);
-        light_rows(run, &got, &own, "own_model");
-        light_rows(run, &got, &whole, NULL);
+        light_rows(run, "converged", &got, &converged, "all_texels_");
+        light_rows(run, "truth", &got, &own, "own_model_");
+        light_rows(run, "truth", &got, &whole, "");
+        image_free(&converged);
         image_free(&own);
         image_free(&whole);
     } else {
@@ -125,7 +136,7 @@ void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *trut
         if (order != 0.0)
             run_error(run, "truth", "order", order);
         Image direct = judge_light(asked, truth, DIRECT_LIGHT);
-        light_rows(run, &got, &direct, NULL);
+        light_rows(run, "truth", &got, &direct, "");
         image_free(&direct);
     }
     image_free(&got);
