@@ -144,6 +144,9 @@ void map_set(const Shader *shader, const ShadowMap *map, const Light *light)
                     cone ? cosf(light->half_angle_rad) : -1.0f);
 }
 
+// llvmpipe counts what the tessellator makes in one draw by 16 bits, and draws garbage beyond: patches of 64 pieces a side have 65² vertices.
+enum { PATCHES_A_DRAW = 65535 / (65 * 65) };
+
 //[draw
 void map_draw(const MapShaders *shaders, const ShadowMap *map, const Light *light, const RasterMesh *mesh,
               const MapCasters *casters)
@@ -165,8 +168,11 @@ void map_draw(const MapShaders *shaders, const ShadowMap *map, const Light *ligh
     if (casters->cut > 0) { // at the list's end; patches of three corners, GL's default
         map_set(shaders->depth_cut, map, light);
         shader_set_float(shaders->depth_cut, "tessellation", casters->tessellation);
-        gl.DrawArrays(GL_PATCHES, (GLint)(3 * ((uint32_t)map->layers * map->triangle_count - casters->cut)),
-                      (GLsizei)(3 * casters->cut));
+        const uint32_t first = (uint32_t)map->layers * map->triangle_count - casters->cut;
+        for (uint32_t done = 0; done < casters->cut; done += PATCHES_A_DRAW) {
+            const uint32_t left = casters->cut - done, count = left < PATCHES_A_DRAW ? left : PATCHES_A_DRAW;
+            gl.DrawArrays(GL_PATCHES, (GLint)(3 * (first + done)), (GLsizei)(3 * count));
+        }
     }
     gl.Disable(GL_CLIP_DISTANCE0);
     gl.BlendEquation(GL_FUNC_ADD);
