@@ -343,18 +343,6 @@ Test(shadow, cutting_edges_cures_a_paraboloid_s_curves)
     truth_close(truth);
 }
 
-// The judge itself: a picture of 8 × 1, true light in the right half; one pixel is wrong 3 pixels from the nearest of the other kind.
-Test(shadow, the_judge_measures_shares_and_distances)
-{
-    float truth[8] = {0, 0, 0, 0, 1, 1, 1, -1}, got[8] = {0, 1, 0, 0, 1, 0.25f, 0.75f, -1};
-    const Judgement j = judge_of(&(Visibility){8, 1, got, truth}, 1);
-    cr_assert(j.asked == 7 && fabs(j.wrong - 2.0 / 7) < 1e-12);
-    cr_assert(fabs(j.leaked - 1.0 / 7) < 1e-12 && fabs(j.dark - 1.0 / 7) < 1e-12);
-    cr_assert(fabs(j.difference - 2.0 / 7) < 1e-12, "%g", j.difference);
-    cr_assert(j.distance_mean == 2.5 && j.distance_p99 == 3 && j.distance_most == 3, "%g %g %g",
-              j.distance_mean, j.distance_p99, j.distance_most);
-}
-
 // What is left out depends on what is seen: another view asks other parts of the map, and the old map would be wrong for it.
 Test(shadow, a_map_serves_the_view_that_it_was_drawn_for)
 {

@@ -31,7 +31,7 @@ static const RunParameter parameters[] = {
     {.name = "falloff", .kind = RUN_CHOICE, .choices = "disc clamp", .shows = "light of a texel near by: a disc of its area, or 1/r^2 held inside `clamp`"},
     {.name = "clamp", .kind = RUN_NUMBER, .least = 0, .most = 1e8, .initial = {0.1}, .unit = "m", .shows = "falloff=clamp: distance"},
     {.name = "trial", .kind = RUN_CHOICE, .choices = "shadow bounce", .shows = "what --sweep and --stability judge"},
-    {.name = "show", .kind = RUN_CHOICE, .choices = "light visibility wrong", .shows = "the lit scene, the visibility of one light, or where it is wrong: red dark for lit, blue lit for dark"},
+    {.name = "show", .kind = RUN_CHOICE, .choices = "light visibility wrong", .shows = "the lit scene, the visibility of one light, or where it is wrong: red dark for lit, blue lit for dark, cyan the same on a triangle that faces away"},
     {.name = NULL},
 };
 // clang-format on
@@ -52,6 +52,11 @@ static const RunStep steps[] = {
 #define ROW(name, settings)                                                                                  \
     {                                                                                                        \
         name, NULL, settings, NULL                                                                           \
+    }
+// One straight border alone, where the order of convergence has a closed form.
+#define EDGE(side)                                                                                           \
+    {                                                                                                        \
+        "spot, one straight border", "plate", "kind=spot filter=nearest resolution=" side, NULL              \
     }
 #define SIZES(name, settings)                                                                                \
     ROW(name, settings " filter=nearest resolution=128"),                                                    \
@@ -77,6 +82,11 @@ static const RunRow sweep[] = {
     SIZES("sun, fitted to the scene", "kind=directional fit=scene"),
     SIZES("cube", "kind=point map=cube"),
     SIZES("paraboloid", "kind=point map=paraboloid"),
+    EDGE("128"),
+    EDGE("256"),
+    EDGE("512"),
+    EDGE("1024"),
+    EDGE("2048"),
     ROW("bias none", "kind=spot filter=nearest bias=none"),
     ROW("bias constant", "kind=spot filter=nearest bias=constant bias_constant=0.002"),
     ROW("bias constant", "kind=spot filter=nearest bias=constant bias_constant=0.02"),

@@ -8,6 +8,15 @@
 // its triangle, and a shadow ray that starts there meets it. So it starts this share of the distance before the surface.
 static const float OFF_SURFACE = 1e-5f;
 
+static uint32_t *read_triangles(const GBuffer *gbuffer)
+{
+    const size_t pixels = (size_t)gbuffer->width * (size_t)gbuffer->height;
+    uint32_t *triangles = memory_new(pixels, sizeof *triangles, "the triangles seen");
+    gl_texture_read(gbuffer->triangle, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, pixels * sizeof *triangles,
+                    triangles);
+    return triangles;
+}
+
 static float *read_floats(GLuint texture, GLenum format, size_t channels, size_t pixels)
 {
     const size_t bytes = memory_bytes(pixels, channels * sizeof(float), "a texture read back");
@@ -57,6 +66,18 @@ static vec3 pixel_ray(const Camera *camera, int x, int y, int width, int height)
                           scale * ((float)y + 0.5f - 0.5f * (float)height) * up);
 }
 
+// Whether the side of the triangle that the eye's ray meets looks away from the light.
+static bool turned_away(const Mesh *mesh, uint32_t triangle, vec3 ray, vec3 to_light)
+{
+    vec3 corner[3];
+    for (int k = 0; k < 3; k++) {
+        const float *p = mesh->positions + 3 * (size_t)mesh->indices[3 * (size_t)triangle + (size_t)k];
+        corner[k] = vec3_make(p[0], p[1], p[2]);
+    }
+    const vec3 normal = vec3_normalize(vec3_cross(corner[1] - corner[0], corner[2] - corner[0]));
+    return vec3_dot(normal, ray) * vec3_dot(normal, to_light) > 0.0f;
+}
+
 Visibility judge_visibility(const Asked *asked, const Truth *truth, size_t light_index)
 {
     const int width = asked->gbuffer->width, height = asked->gbuffer->height;
@@ -66,7 +87,9 @@ Visibility judge_visibility(const Asked *asked, const Truth *truth, size_t light
         4.0f * vec3_length(asked->scene->upper - asked->scene->lower) +
         vec3_length(asked->camera.eye - asked->scene->lower); // leaves the scene from anywhere
     Visibility v = {width, height, read_floats(asked->visibility[light_index], GL_RED, 1, pixels),
-                    memory_new(pixels, sizeof(float), "the true visibilities")};
+                    memory_new(pixels, sizeof(float), "the true visibilities"),
+                    memory_new(pixels, sizeof(bool), "pixels turned away")};
+    uint32_t *triangles = read_triangles(asked->gbuffer); // number + 1
     float *distance = read_floats(asked->gbuffer->distance, GL_RED, 1, pixels);
     float *normals = read_floats(asked->gbuffer->normal, GL_RGBA, 4, pixels);
     // Where the truth's rays are blind, a closed form decides: −1 elsewhere.
@@ -83,16 +106,21 @@ Visibility judge_visibility(const Asked *asked, const Truth *truth, size_t light
         const vec3 point = asked->camera.eye + distance[i] * ray + OFF_SURFACE * distance[i] * (normal - ray);
         closed[i] = (float)scenes_lit_at(asked->scene->name, light->kind, point);
         from[count] = point;
-        to[count++] = light->kind == LIGHT_DIRECTIONAL ? point - sky_gap * light->direction : light->position;
+        to[count] = light->kind == LIGHT_DIRECTIONAL ? point - sky_gap * light->direction : light->position;
+        v.turned_away[i] = turned_away(&asked->scene->mesh, triangles[i] - 1, ray, to[count] - point);
+        count++;
     }
     uint32_t *occluded = truth_occluded_many(truth, from, to, count);
     for (size_t i = 0, k = 0; i < pixels; i++) {
         v.truth[i] = v.got[i] < 0.0f ? -1.0f : occluded[k >> 5] >> (k & 31) & 1 ? 0.0f : 1.0f;
         k += v.got[i] >= 0.0f;
+        if (v.turned_away[i])
+            v.truth[i] = 0.0f;
         if (v.got[i] >= 0.0f && closed[i] >= 0.0f)
             v.truth[i] = closed[i];
     }
     free(occluded);
+    free(triangles);
     free(closed);
     free(from);
     free(to);
@@ -105,11 +133,17 @@ void judge_visibility_free(Visibility *visibility)
 {
     free(visibility->got);
     free(visibility->truth);
+    free(visibility->turned_away);
+}
+
+static bool is_judged(const Visibility *v, size_t i)
+{
+    return v->truth[i] >= 0.0f && !(v->turned_away && v->turned_away[i]);
 }
 
 static bool is_wrong(const Visibility *v, size_t i)
 {
-    return v->truth[i] >= 0.0f && (v->got[i] >= 0.5f) != (v->truth[i] >= 0.5f);
+    return is_judged(v, i) && (v->got[i] >= 0.5f) != (v->truth[i] >= 0.5f);
 }
 
 // Squares of growing size about the pixel, until none of the rest can be nearer. The picture's diagonal where there is no other pixel.
@@ -124,8 +158,8 @@ static double distance_to_edge(const Visibility *v, int x, int y)
                 const int px = x + dx, py = y + dy;
                 if (px < 0 || py < 0 || px >= v->width || py >= v->height)
                     continue;
-                const float there = v->truth[(size_t)py * (size_t)v->width + (size_t)px];
-                if (there >= 0.0f && there != here)
+                const size_t there = (size_t)py * (size_t)v->width + (size_t)px;
+                if (is_judged(v, there) && v->truth[there] != here)
                     nearest = fmin(nearest, hypot(dx, dy));
             }
         }
@@ -147,8 +181,10 @@ Judgement judge_of(const Visibility *visibilities, size_t count)
         const Visibility *v = &visibilities[l];
         const size_t pixels = (size_t)v->width * (size_t)v->height;
         for (size_t i = 0; i < pixels; i++) {
-            if (v->truth[i] < 0.0f)
+            if (!is_judged(v, i)) {
+                sum.turned_away += v->truth[i] >= 0.0f;
                 continue;
+            }
             sum.asked++;
             sum.difference += fabs((double)v->got[i] - (double)v->truth[i]);
             if (!is_wrong(v, i))
@@ -163,6 +199,7 @@ Judgement judge_of(const Visibility *visibilities, size_t count)
         }
     }
     const double asked = fmax(sum.asked, 1.0);
+    sum.turned_away /= fmax(sum.asked + sum.turned_away, 1.0);
     sum.wrong = (double)wrong / asked;
     sum.dark /= asked;
     sum.leaked /= asked;
@@ -204,7 +241,8 @@ void judge_show(const Asked *asked, const Truth *truth, size_t light, GLuint pic
     for (size_t i = 0; i < pixels; i++) {
         const float grey = v.truth[i] < 0.0f ? 0.01f : 0.03f + 0.25f * v.truth[i];
         const float error = v.truth[i] < 0.0f ? 0.0f : v.got[i] - v.truth[i];
-        const float shown[] = {grey + fmaxf(-error, 0.0f), grey, grey + fmaxf(error, 0.0f), 1.0f};
+        const float green = is_judged(&v, i) ? 0.0f : fmaxf(error, 0.0f); // with the blue below: cyan
+        const float shown[] = {grey + fmaxf(-error, 0.0f), grey + green, grey + fmaxf(error, 0.0f), 1.0f};
         memcpy(rgba + 4 * i, shown, sizeof shown);
     }
     upload(picture, &v, GL_RGBA, rgba);

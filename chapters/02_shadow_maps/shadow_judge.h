@@ -23,14 +23,18 @@ typedef struct Asked {
 typedef struct Visibility {
     int width, height;
     float *got, *truth;
+    // Where the triangle faces away though the interpolated normal does not: dark in truth, as it hides itself, but no map's resolution can tell, for it
+    // stores a surface that the light reaches. Not judged as visibility, but counted. NULL: nowhere.
+    bool *turned_away;
 } Visibility;
 Visibility judge_visibility(const Asked *asked, const Truth *truth, size_t light);
 void judge_visibility_free(Visibility *visibility);
 
 // Of all lights together.
 typedef struct Judgement {
-    double asked; // pixels that ask, summed over the lights
-    double wrong; // share of them on the wrong side of ½
+    double asked; // pixels that ask and do not lie on a triangle that faces away, summed over the lights
+    double turned_away; // pixels on those, as a share of all that ask
+    double wrong;       // share of `asked` on the wrong side of ½
     double dark,
         leaked; // of these shares: lit in truth and shown dark (acne); dark in truth and shown lit (leaks, peter-panning)
     double difference; // mean |got − truth|, which sees a filter's soft border too
@@ -40,7 +44,8 @@ typedef struct Judgement {
 Judgement judge_all(const Asked *asked, const Truth *truth);
 Judgement judge_of(const Visibility *visibilities, size_t count);
 
-// Grey where technique and truth agree, light or dark; red: dark, though lit; blue: lit, though dark. Into the picture.
+// Grey where technique and truth agree, light or dark; red: dark, though lit; blue: lit, though dark; cyan: the same on a triangle that
+// faces away, which is not judged. Into the picture.
 void judge_show(const Asked *asked, const Truth *truth, size_t light, GLuint picture);
 // The truth as map_paint shows the technique's visibility.
 Image judge_paint(const Asked *asked, const Truth *truth, size_t light);
@@ -52,7 +57,8 @@ void judge_rays(const Asked *asked, const Truth *truth, size_t light);
 typedef enum JudgeLight { DIRECT_LIGHT, BOUNCE_UNOCCLUDED, BOUNCE_ALONE, LIGHT_AND_BOUNCE } JudgeLight;
 Image judge_light(const Asked *asked, const Truth *truth, JudgeLight what);
 
-// Error rows of a sweep; the order of convergence comes with the last resolution of a series: rows of one name and scene. Where `all_texels` is given, the
+// Error rows of a sweep; `order` is the slope of log(wrong) over log(a side in texels) over the rows of one name and scene so far: −1 where the
+// wrong share is the border's length times a texel. Where `all_texels` is given, the
 // picture is a bounce alone, and that is the bounce which its texels make all together.
 typedef struct Series Series;
 Series *judge_series_new(void); // free() it

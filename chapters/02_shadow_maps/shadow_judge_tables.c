@@ -128,6 +128,7 @@ void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *trut
         run_error(run, "truth", "wrong", j.wrong);
         run_error(run, "truth", "wrong_dark", j.dark);
         run_error(run, "truth", "wrong_lit", j.leaked);
+        run_error(run, "truth", "turned_away", j.turned_away);
         run_error(run, "truth", "mean_difference", j.difference);
         run_error(run, "truth", "edge_distance_mean", j.distance_mean);
         run_error(run, "truth", "edge_distance_p99", j.distance_p99);
@@ -142,7 +143,7 @@ void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *trut
     image_free(&got);
 }
 
-// Of all pixels that ask: the share that is lit, by the technique and by the truth.
+// Of all pixels that are judged: the share that is lit, by the technique and by the truth.
 static void lit_shares(const Asked *asked, const Truth *truth, double *got, double *expected)
 {
     double count = 0;
@@ -150,7 +151,7 @@ static void lit_shares(const Asked *asked, const Truth *truth, double *got, doub
     for (size_t l = 0; l < asked->scene->light_count; l++) {
         Visibility v = judge_visibility(asked, truth, l);
         for (size_t i = 0; i < (size_t)v.width * (size_t)v.height; i++)
-            if (v.truth[i] >= 0.0f) {
+            if (v.truth[i] >= 0.0f && !v.turned_away[i]) {
                 count++;
                 *got += v.got[i];
                 *expected += v.truth[i];
