@@ -70,7 +70,7 @@ $(OBJ)/%.cpp.o: %.cpp $(BUILD)/flags
 	$(call SAY,c++,$<)$(CXX) $(CPPFLAGS) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
 # truth's cache keys hold a hash of truth's own source, so that a changed truth is computed anew.
-TRUTH := $(wildcard common/truth*.c common/truth.h)
+TRUTH := $(wildcard common/truth*.[ch])
 $(filter $(OBJ)/common/truth%,$(COMMON)): DEFINE = -DTRUTH_SOURCE_HASH="\"$$(cat $(TRUTH) | sha1sum | cut -c1-40)\""
 $(filter $(OBJ)/common/truth%,$(COMMON)): $(TRUTH)
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 enum { MESH_POSITION = 0, MESH_NORMAL = 1 };                    // vertex attributes
-enum { STORAGE_TRIANGLE_MATERIALS = 0, STORAGE_MATERIALS = 1 }; // as in gbuffer.frag
+enum { STORAGE_TRIANGLE_MATERIALS = 0, STORAGE_MATERIALS = 1 }; // as in gbuffer.frag, reflective_map.frag
 
 Raster *raster_open(void)
 {
@@ -19,6 +19,8 @@ Raster *raster_open(void)
         raster->depth_map[kind] = shader_open(
             "depth map", definition, kind == LIGHT_POINT ? "common/depth_cube.vert" : "common/depth_map.vert",
             "common/depth_map.frag");
+        raster->reflective_map[kind] = shader_open("reflective map", definition, "common/reflective_map.vert",
+                                                   "common/reflective_map.frag");
         raster->light[kind] = shader_open("light", definition, "common/light.comp");
     }
     return raster;
@@ -33,6 +35,7 @@ void raster_close(Raster *raster)
     shader_close(raster->light_begin);
     for (int kind = 0; kind < 3; kind++) {
         shader_close(raster->depth_map[kind]);
+        shader_close(raster->reflective_map[kind]);
         shader_close(raster->light[kind]);
     }
     free(raster);
@@ -92,6 +95,12 @@ void raster_draw(const RasterMesh *mesh)
 {
     gl.BindVertexArray(mesh->vertex_array);
     gl.DrawElements(GL_TRIANGLES, mesh->index_count, GL_UNSIGNED_INT, NULL);
+}
+
+void raster_bind_materials(const RasterMesh *mesh)
+{
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, STORAGE_TRIANGLE_MATERIALS, mesh->triangle_materials);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, STORAGE_MATERIALS, mesh->materials);
 }
 
 void raster_target(GLuint framebuffer, int width, int height)
@@ -176,8 +185,7 @@ void raster_gbuffer_draw(const Raster *raster, const GBuffer *gbuffer, const Cam
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_GREATER);
     gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, STORAGE_TRIANGLE_MATERIALS, mesh->triangle_materials);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, STORAGE_MATERIALS, mesh->materials);
+    raster_bind_materials(mesh);
     shader_use(raster->gbuffer);
     raster_set_camera(raster->gbuffer, camera, (float)gbuffer->width / (float)gbuffer->height);
     shader_set_float(raster->gbuffer, "near_distance", camera->near_distance);

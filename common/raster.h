@@ -28,7 +28,7 @@ void raster_close(Raster *raster); // NULL is allowed
 // to the scene's box (and, where a camera is given, to what of the box it can see; what lies between there and the light still casts); point, and
 // spots wider than 80° half angle: cube, six layers in one pass. Stored as GL_R32F in metres: from the light (point, spot: Euclidean) or along
 // the light's way from the plane through `origin` (directional); +Inf where nothing is hit. Surfaces nearer to a point or spot
-// light than 10⁻⁶ of the scene's diagonal are lost; nothing else is. It is read by imageLoad (the fast way here) through shaders/common/shadow.glsl.
+// light than 10⁻¹¹ of the scene's diagonal are lost; nothing else is. It is read by imageLoad (the fast way here) through shaders/common/shadow.glsl.
 // Positions are always relative to `origin`, so that a scene far from the world's origin loses nothing.
 typedef struct DepthMap {
     LightKind kind; // LIGHT_POINT: `distance` is a 2D array of 6 layers in GL's cube face order, else 2D
@@ -41,9 +41,33 @@ typedef struct DepthMap {
 } DepthMap;
 DepthMap raster_depth_map(const Scene *scene, const Light *light, int resolution, const Camera *fit_to,
                           float aspect);
+// The same map, which keeps its memory, for a light or camera that has moved.
+void raster_depth_map_aim(DepthMap *map, const Scene *scene, const Light *light, const Camera *fit_to,
+                          float aspect);
+bool raster_depth_map_is_cube(const Light *light);
 void raster_depth_map_delete(DepthMap *map);
 void raster_depth_map_draw(const Raster *raster, const DepthMap *map, const Light *light,
                            const RasterMesh *mesh);
+
+// The surfaces that a light reaches first, each texel a small light of its own (Dachsbacher and Stamminger, "Reflective shadow maps", 2005,
+// section 3). Framed as raster_depth_map without a camera, since what the camera does not see lights what it sees; `depth` is that depth
+// map, drawn in the same pass, so that raster_light_add and shaders/common/shadow.glsl take it. Texels without a surface are 0 (distance: +Inf).
+// Summed over all texels, flux is what the surfaces reflect: 4π·I·ρ (point, all of whose rays hit), 2π(1 − cos)·I·ρ (spot, up to the texels
+// that the cone's border crosses: a texel counts where its centre is inside), E·area·ρ (directional, area across the light).
+typedef struct ReflectiveMap {
+    DepthMap depth;
+    GLuint
+        position;  // RGBA32F: metres from depth.origin; w: m² of surface in the texel, 0 where there is none
+    GLuint normal; // RGBA16F: unit, on the side that is lit
+    // RGBA32F: reflected by the surface in W, a colour channel each: I · solid angle of the texel · albedo, inside the light's
+    // radius r0 times (d/r0)²; directional: irradiance · area of the texel across the light · albedo
+    GLuint flux;
+    GLuint nearest, framebuffer; // the pass's own: a depth buffer
+} ReflectiveMap;
+ReflectiveMap raster_reflective_map(const Scene *scene, const Light *light, int resolution);
+void raster_reflective_map_delete(ReflectiveMap *map);
+void raster_reflective_map_draw(const Raster *raster, const ReflectiveMap *map, const Light *light,
+                                const RasterMesh *mesh);
 
 // What the camera sees, a texel a pixel: distance along the ray in metres (R32F, +Inf for the sky), world normal on the side that is seen
 // (RGBA16F, unit length), albedo (RGBA16F: 8 bits would be 4 % wrong at 0.05), emission (RGBA16F), triangle number + 1 (R32UI); 0 for the sky. Nothing

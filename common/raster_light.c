@@ -7,7 +7,7 @@
 // has on the axis.
 static const float WIDEST_MAP_RAD = 1.396f;
 // Near plane of point and spot lights, of the scene's diagonal: a hundredth of the light's own radius r0. Depth needs no precision of it.
-static const float NEAR_SHARE = 1e-6f;
+static const float NEAR_SHARE = 1e-11f;
 
 // Sutherland and Hodgman (1974): keep what of the polygon is on the plane's positive side.
 static int polygon_clip(const vec3 *polygon, int count, vec3 normal, vec3 *kept)
@@ -102,24 +102,33 @@ static void aim_spot(DepthMap *map, const Light *light)
     map->texel_size = 2.0f * tangent / (float)map->resolution;
 }
 
-DepthMap raster_depth_map(const Scene *scene, const Light *light, int resolution, const Camera *fit_to,
+bool raster_depth_map_is_cube(const Light *light)
+{
+    return light->kind == LIGHT_POINT ||
+           (light->kind == LIGHT_SPOT && light->half_angle_rad > WIDEST_MAP_RAD);
+}
+
+void raster_depth_map_aim(DepthMap *map, const Scene *scene, const Light *light, const Camera *fit_to,
                           float aspect)
 {
     float diagonal = vec3_length(scene->upper - scene->lower);
     if (!(diagonal > 0.0f))
         diagonal = 1.0f; // the empty scene
-    DepthMap map = {.kind = light->kind,
-                    .resolution = resolution,
-                    .origin = light->position,
-                    .near_distance = NEAR_SHARE * diagonal,
-                    .texel_size = 2.0f / (float)resolution};
-    if (light->kind == LIGHT_SPOT && light->half_angle_rad > WIDEST_MAP_RAD)
-        map.kind = LIGHT_POINT;
-    if (map.kind == LIGHT_SPOT)
-        aim_spot(&map, light);
-    if (map.kind == LIGHT_DIRECTIONAL)
-        fit_directional(&map, scene, light, fit_to, aspect, diagonal);
-    bool cube = map.kind == LIGHT_POINT;
+    map->origin = light->position;
+    map->near_distance = NEAR_SHARE * diagonal;
+    map->texel_size = 2.0f / (float)map->resolution;
+    if (map->kind == LIGHT_SPOT)
+        aim_spot(map, light);
+    if (map->kind == LIGHT_DIRECTIONAL)
+        fit_directional(map, scene, light, fit_to, aspect, diagonal);
+}
+
+DepthMap raster_depth_map(const Scene *scene, const Light *light, int resolution, const Camera *fit_to,
+                          float aspect)
+{
+    bool cube = raster_depth_map_is_cube(light);
+    DepthMap map = {.kind = cube ? LIGHT_POINT : light->kind, .resolution = resolution};
+    raster_depth_map_aim(&map, scene, light, fit_to, aspect);
     map.distance =
         gl_texture(.label = "depth map", .target = cube ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D,
                    .format = GL_R32F, .width = resolution, .height = resolution, .depth = cube ? 6 : 1);

@@ -97,6 +97,7 @@ const SceneKind scene_kinds[] = {
     {"bunny", "Stanford's bunny, 69 666 triangles, watertight, under a spot", make_bunny},
     {"cornell", "a room of thin walls, red and green, with two blocks and a point light", make_cornell},
     {"colonnade", "a courtyard with two storeys of arcades in the sun", make_colonnade},
+    {"fence", "a chain-link fence before a statue, under a spot", make_fence},
     {"office", "a furnished office, 3 460 polygons of bookcases, desk and chairs", make_office},
     {"empty", "no triangle", make_empty},
     {"slivers", "triangles up to a million times longer than high, in all directions", make_slivers},

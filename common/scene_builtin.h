@@ -36,6 +36,7 @@ void frame_revolve(Mesh *mesh, const Frame *frame, const vec2 *profile, int poin
                    uint32_t material);
 
 void make_colonnade(Scene *scene, uint64_t seed);
+void make_fence(Scene *scene, uint64_t seed);
 void make_slivers(Scene *scene, uint64_t seed);
 void make_huge(Scene *scene, uint64_t seed);
 void make_tiny(Scene *scene, uint64_t seed);

@@ -1,7 +1,6 @@
 // truth: rays by Embree, the mesh of set voxels that they can be sent at, and the names of cached truths.
-#include "truth.h"
+#include "truth_internal.h"
 
-#include <embree3/rtcore.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,16 +11,27 @@
 #endif
 static const char source_hash[] = TRUTH_SOURCE_HASH;
 
-struct Truth {
-    RTCScene scene;         // holds the device
-    const float *positions; // Embree's copies
-    const uint32_t *indices;
-};
-
 static void embree_failed(void *unused, enum RTCError code, const char *message)
 {
     (void)unused;
     fail_work("Embree error %d: %s", (int)code, message);
+}
+
+// Along an axis on which the mesh lies farther from the origin than twice its size, the middle of its box: all coordinates are then within
+// a factor of 2 of it, so that their differences are exact (Sterbenz 1974), and rays keep the precision of the mesh's size.
+static vec3 base_of(const Mesh *mesh)
+{
+    vec3 base = {0};
+    for (size_t k = 0; k < 3 && mesh->vertex_count > 0; k++) {
+        float lower = INFINITY, upper = -INFINITY;
+        for (size_t i = 0; i < mesh->vertex_count; i++) {
+            lower = fminf(lower, mesh->positions[3 * i + k]);
+            upper = fmaxf(upper, mesh->positions[3 * i + k]);
+        }
+        float middle = 0.5f * lower + 0.5f * upper;
+        base[k] = fabsf(middle) > 2.0f * (upper - lower) ? middle : 0.0f;
+    }
+    return base;
 }
 
 Truth *truth_open(const Mesh *mesh)
@@ -32,15 +42,20 @@ Truth *truth_open(const Mesh *mesh)
         fail_work("Embree gives no device (error %d)", (int)rtcGetDeviceError(NULL));
     rtcSetDeviceErrorFunction(device, embree_failed, NULL);
     truth->scene = rtcNewScene(device);
-    rtcSetSceneFlags(truth->scene, RTC_SCENE_FLAG_ROBUST); // no ray slips through between two triangles
+    // No ray slips through between two triangles, and a ray may leave out the triangle that it starts on.
+    rtcSetSceneFlags(truth->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    truth->triangle_count = mesh->triangle_count;
+    truth->base = base_of(mesh);
     if (mesh->triangle_count > 0) {
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         // Copies, since Embree reads 16 bytes a vertex: past the end of the mesh's own array.
-        void *positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                  3 * sizeof(float), mesh->vertex_count);
+        float *positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                   3 * sizeof(float), mesh->vertex_count);
         void *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                 3 * sizeof(uint32_t), mesh->triangle_count);
-        truth->positions = memcpy(positions, mesh->positions, 3 * sizeof(float) * mesh->vertex_count);
+        for (size_t i = 0; i < 3 * mesh->vertex_count; i++)
+            positions[i] = mesh->positions[i] - truth->base[i % 3];
+        truth->positions = positions;
         truth->indices = memcpy(indices, mesh->indices, 3 * sizeof(uint32_t) * mesh->triangle_count);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(truth->scene, geometry);
@@ -60,7 +75,7 @@ void truth_close(Truth *truth)
 }
 
 // In double from the vertices: Embree's own normal, a float32 cross product, is noise on slivers and underflows on tiny triangles.
-static vec3 triangle_normal(const Truth *truth, uint32_t triangle)
+vec3 truth_triangle_normal(const Truth *truth, uint32_t triangle, double *area)
 {
     const float *vertex[3];
     double e[2][3], n[3];
@@ -71,7 +86,13 @@ static vec3 triangle_normal(const Truth *truth, uint32_t triangle)
     for (int k = 0; k < 3; k++)
         n[k] = e[0][(k + 1) % 3] * e[1][(k + 2) % 3] - e[0][(k + 2) % 3] * e[1][(k + 1) % 3];
     double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    *area = 0.5 * length;
     return vec3_make((float)(n[0] / length), (float)(n[1] / length), (float)(n[2] / length));
+}
+
+float truth_largest(vec3 a)
+{
+    return fmaxf(fabsf(a[0]), fmaxf(fabsf(a[1]), fabsf(a[2])));
 }
 
 // Fields in Embree's order: origin, least distance, direction, time, largest distance, mask, and its own two.
@@ -80,32 +101,76 @@ static struct RTCRay ray_make(vec3 o, vec3 d, float least, float most)
     return (struct RTCRay){o[0], o[1], o[2], least, d[0], d[1], d[2], 0.0f, most, UINT32_MAX, 0, 0};
 }
 
+// A ray's context as Embree hands it to the filter, which leaves out triangles by their numbers: no distance would do for all scales.
+typedef struct Context {
+    struct RTCIntersectContext embree; // first
+    uint32_t skipped[2];
+} Context;
+
+static void leave_out(const struct RTCFilterFunctionNArguments *arguments)
+{
+    const Context *context = (const Context *)arguments->context;
+    // The sixth of a hit's fields, each N values wide (N is 1 here); Embree's own accessor is C++ alone.
+    uint32_t triangle = ((const uint32_t *)arguments->hit)[5 * (size_t)arguments->N];
+    if (triangle == context->skipped[0] || triangle == context->skipped[1])
+        arguments->valid[0] = 0;
+}
+
+static Context context_make(uint32_t skipped, uint32_t skipped_too)
+{
+    Context context = {.skipped = {skipped, skipped_too}};
+    rtcInitIntersectContext(&context.embree);
+    if (skipped != NO_TRIANGLE || skipped_too != NO_TRIANGLE)
+        context.embree.filter = leave_out;
+    return context;
+}
+
+Meeting truth_meet(const Truth *truth, vec3 origin, vec3 direction, float least, uint32_t skipped)
+{
+    Context context = context_make(skipped, NO_TRIANGLE);
+    struct RTCRayHit ray = {.ray = ray_make(origin, direction, least, INFINITY),
+                            .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .instID = {RTC_INVALID_GEOMETRY_ID}}};
+    rtcIntersect1(truth->scene, &context.embree, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return (Meeting){.distance = INFINITY, .triangle = NO_TRIANGLE};
+    return (Meeting){ray.ray.tfar, ray.hit.primID, ray.hit.u, ray.hit.v};
+}
+
 TruthHit truth_ray(const Truth *truth, vec3 origin, vec3 direction)
 {
-    struct RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    struct RTCRayHit ray = {.ray = ray_make(origin, direction, 0.0f, INFINITY),
-                            .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .instID = {RTC_INVALID_GEOMETRY_ID}}};
-    rtcIntersect1(truth->scene, &context, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+    Meeting met = truth_meet(truth, origin - truth->base, direction, 0.0f, NO_TRIANGLE);
+    if (met.triangle == NO_TRIANGLE)
         return (TruthHit){.distance = INFINITY};
-    return (TruthHit){ray.ray.tfar, ray.hit.primID, triangle_normal(truth, ray.hit.primID)};
+    double area;
+    return (TruthHit){met.distance, met.triangle, truth_triangle_normal(truth, met.triangle, &area)};
+}
+
+static bool occluded(const Truth *truth, Context context, struct RTCRay ray)
+{
+    rtcOccluded1(truth->scene, &context.embree, &ray);
+    return ray.tfar < 0.0f; // Embree's mark: −Inf
+}
+
+bool truth_between(const Truth *truth, vec3 from, vec3 to, float most, const uint32_t skipped[2])
+{
+    vec3 way = to - from;
+    float length = vec3_length(way);
+    float margin = fmaxf(0x1p-16f, 0x1p-21f * most / length); // share of the way; see truth.h
+    if (!(length > 0.0f) || margin >= 0.5f)
+        return false;
+    return occluded(truth, context_make(skipped[0], skipped[1]), ray_make(from, way, margin, 1.0f - margin));
+}
+
+bool truth_beyond(const Truth *truth, vec3 from, vec3 direction, uint32_t skipped)
+{
+    return occluded(truth, context_make(skipped, NO_TRIANGLE), ray_make(from, direction, 0.0f, INFINITY));
 }
 
 bool truth_occluded(const Truth *truth, vec3 from, vec3 to)
 {
-    vec3 way = to - from;
-    float length = vec3_length(way), most = 0.0f;
-    for (int k = 0; k < 3; k++)
-        most = fmaxf(most, fmaxf(fabsf(from[k]), fabsf(to[k])));
-    float margin = fmaxf(0x1p-16f, 0x1p-21f * most / length); // share of the way; see truth.h
-    if (!(length > 0.0f) || margin >= 0.5f)
-        return false;
-    struct RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    struct RTCRay ray = ray_make(from, way, margin, 1.0f - margin);
-    rtcOccluded1(truth->scene, &context, &ray);
-    return ray.tfar < 0.0f; // Embree's mark: −Inf
+    const uint32_t none[2] = {NO_TRIANGLE, NO_TRIANGLE};
+    float most = fmaxf(truth_largest(from), truth_largest(to));
+    return truth_between(truth, from - truth->base, to - truth->base, most, none);
 }
 
 static bool voxel_set(const uint32_t *voxels, const VoxelGrid *grid, const int voxel[3])

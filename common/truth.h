@@ -1,7 +1,9 @@
-// truth: what pictures and grids are judged by. It shares no code with any technique: Embree for rays, separating axes in double for voxels.
+// truth: what pictures and grids are judged by. It shares no code with any technique: Embree for rays and the light that they carry,
+// separating axes in double for voxels.
 #ifndef TRUTH_H
 #define TRUTH_H
 
+#include "image.h"
 #include "linear.h"
 #include "scene.h"
 
@@ -19,6 +21,65 @@ TruthHit truth_ray(const Truth *truth, vec3 origin, vec3 direction);
 // Whether a triangle crosses the open segment. So that its ends may be float32 points of surfaces, the larger of 2^-16 of its length
 // and 2^-21 of the largest coordinate of either end (4 units in its last place) is left out at both ends.
 bool truth_occluded(const Truth *truth, vec3 from, vec3 to);
+// The same for `count` segments on all cores: segment i is bit i & 31 of word i >> 5, in new memory.
+uint32_t *truth_occluded_many(const Truth *truth, const vec3 *from, const vec3 *to, size_t count);
+
+// Light by path tracing (Kajiya 1986). The model, the same as that of the G-buffer and raster_light_add:
+//   A surface reflects diffusely and emits on both sides. Its normal is the interpolated one of its vertices, turned to the side that is
+//   seen; light counts where it comes from the seen side of the triangle itself and of that normal. Radiance = emission + albedo/π · E.
+//   Point and spot lights give E = I cos / max(d, r0)², a spot inside its cone alone; a directional light gives its irradiance times
+//   cos. All cast shadows, by truth_occluded's margins. Emissive triangles light what they see. There is no medium; outside is black.
+// Random numbers are a hash of (seed, pixel or point, sample, number of the draw): the result does not depend on the number of threads.
+enum { TRUTH_FULL = -1 }; // bounces: all of them, unbiased (Russian roulette; Arvo and Kirk 1990)
+
+// How emissive triangles are found. All three have the same mean, so that one can be asked about another.
+typedef enum TruthEmitters {
+    TRUTH_EMITTERS_BOTH, // both below, weighted by the balance heuristic (Veach and Guibas 1995): the least noise
+    TRUTH_EMITTERS_BY_AREA,      // points of the triangles alone, by area and emission
+    TRUTH_EMITTERS_BY_DIRECTION, // directions from the seen surface alone, by the cosine
+} TruthEmitters;
+
+// Where the one bounce of bounces = 1 comes from. The second and third send rays from the point, spot and directional lights, uniform over
+// the light's directions (a disc that covers the scene for a directional light). Where a ray meets the first surface y, its flux Φ
+// is reflected on the side that it arrives on alone; it gives the seen point x the irradiance
+//   albedo_y · Φ/π · max(0, cos_y) · max(0, cos_x) / max(|x − y|, least_distance)²,
+// cosines with the interpolated normals. That is the reflective shadow map's own model (Dachsbacher and Stamminger 2005, section 3: every
+// texel a small diffuse lamp) at endless resolution. Light of emissive triangles does not bounce in it. Flux knows the triangle's own
+// slope only, so paths agree with TRUTH_BOUNCE_OF_FLUX where vertices carry the triangles' own normals and least_distance is 0.
+typedef enum TruthBounce {
+    TRUTH_BOUNCE_OF_PATHS,           // from the seen surface, any number of bounces
+    TRUTH_BOUNCE_OF_FLUX,            // from the lights, with a shadow ray between y and x
+    TRUTH_BOUNCE_OF_FLUX_UNOCCLUDED, // from the lights, nothing between y and x casts a shadow
+} TruthBounce;
+
+typedef struct TruthPathSettings {
+    int samples; // a pixel or point; at least 1
+    int bounces; // indirect ones: light is reflected at most bounces + 1 times; 0: direct light; TRUTH_FULL
+    bool indirect_alone;  // leave out emission that is seen and direct light
+    TruthBounce bounce;   // the two from lights ask for bounces = 1
+    float least_distance; // metres, for those two; 0: none
+    TruthEmitters emitters;
+    uint64_t seed;
+    int threads; // 0: all cores
+} TruthPathSettings;
+
+// Mean of the samples and its standard error (of one sample alone: 0), three channels. Of samples that seldom meet what is bright the
+// error is itself an estimate.
+typedef struct TruthPicture {
+    Image mean, error;
+} TruthPicture;
+// Radiance through the middle of every pixel, W/(sr·m²); surfaces before the camera's near distance are not seen. `truth` is of
+// scene->mesh. Settings that make no sense end the program (a wrong request).
+TruthPicture truth_radiance(const Truth *truth, const Scene *scene, const Camera *camera, int width,
+                            int height, const TruthPathSettings *settings);
+void truth_picture_free(TruthPicture *picture);
+
+typedef struct TruthIrradiance {
+    double mean[3], error[3]; // W/m²
+} TruthIrradiance;
+// Irradiance at a point on the side of its unit normal. Without `indirect_alone` it holds direct light.
+TruthIrradiance truth_irradiance(const Truth *truth, const Scene *scene, vec3 point, vec3 normal,
+                                 const TruthPathSettings *settings);
 
 // The closed box of every voxel against every triangle that may touch it, by the 13 separating axes in double (Akenine-Möller 2001).
 // Bits as grid_words says, in new memory. Triangles that touch in a point, an edge or a face count.

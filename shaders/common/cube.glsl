@@ -19,3 +19,12 @@ int cube_face(vec3 direction)
     int axis = a.x >= a.y && a.x >= a.z ? 0 : (a.y >= a.z ? 1 : 2);
     return 2 * axis + int(direction[axis] < 0.0);
 }
+
+// A direction through this place of the face, 1 long along its axis: cube_on_face the other way round.
+vec3 cube_direction(int face, vec2 place)
+{
+    vec3 d = face < 2 ? vec3(1.0, -place.y, -place.x) : face < 4 ? vec3(place.x, 1.0, place.y) : vec3(place.x, -place.y, 1.0);
+    if ((face & 1) == 0)
+        return d;
+    return face < 2 ? vec3(-1.0, -place.y, place.x) : face < 4 ? vec3(place.x, -1.0, -place.y) : vec3(-place.x, -place.y, -1.0);
+}

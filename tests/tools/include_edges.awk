@@ -8,7 +8,7 @@ BEGIN {
     allowed["image"] = " "
     allowed["scene"] = " linear "
     allowed["raster"] = " gl shader scene linear "
-    allowed["truth"] = " scene linear "
+    allowed["truth"] = " scene linear image "
     allowed["measure"] = " image "
     allowed["exercise"] = " "
     allowed["run"] = " gl shader linear image scene raster truth measure "
