@@ -1,4 +1,4 @@
-// airlight_bench: what the tests of chapter 04 share: GLSL run on lists of inputs.
+// airlight_bench: what the tests of chapter 04 share: GLSL run on lists of inputs, and the list of stiff ones.
 #ifndef AIRLIGHT_BENCH_H
 #define AIRLIGHT_BENCH_H
 
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Run a shader of tests/data/airlight over `count` inputs; the caller frees the `results` floats a input.
+// Run a shader of tests/data/airlight over `count` inputs; the caller frees the `results` floats an input.
 static inline float *bench_run(const char *file, const char *definitions, const TruthPhase *phase,
                                const void *inputs, size_t input_bytes, size_t count, size_t results)
 {
@@ -34,6 +34,38 @@ static inline float *bench_run(const char *file, const char *definitions, const 
     gl_buffer_delete(&out);
     shader_close(shader);
     return got;
+}
+
+static inline bool normal_float(double x)
+{
+    return x >= 1.2e-38 && x <= 3.4e38;
+}
+
+typedef struct PointCase {
+    float nearest, foot, radius, from, to, sigma;
+} PointCase;
+
+static inline double point_truth(const PointCase *c, const TruthPhase *phase)
+{
+    return truth_airlight_point((double)c->nearest, (double)c->foot, (double)c->radius, (double)c->from,
+                                (double)c->to, (double)c->sigma, phase);
+}
+
+// A ray's stretch of length 1, or a millionth, none, or without end; the light from on its line to 10^6 away, at, before and behind either end; optical depth
+// 0 and 10^-6 to 10^4.
+enum { STIFF_CASES = 9 * 12 * 6 * 9 };
+static inline size_t stiff_cases(PointCase *cases)
+{
+    static const float sides[] = {0, 1e-6f, 1e-4f, 1e-2f, 0.3f, 1, 1e2f, 1e4f, 1e6f};
+    static const float feet[] = {-1e6f, -1, -1e-6f, 0, 1e-6f, 0.25f, 0.7f, 1, 1.000001f, 2, 1e3f, 1e6f};
+    static const float ends[][2] = {{0, 1},         {0, INFINITY}, {1e-5f, 1}, {0.5f, 0.5000001f},
+                                    {0.25f, 0.25f}, {0, 1e-6f}};
+    static const float sigmas[] = {0, 1e-6f, 1e-3f, 0.1f, 1, 7, 60, 1e3f, 1e4f};
+    static const float radii[] = {1e-4f, 1e-9f, 0.05f};
+    for (size_t i = 0; i < STIFF_CASES; i++)
+        cases[i] = (PointCase){sides[i % 9],         feet[i / 9 % 12],     radii[i / 7 % 3],
+                               ends[i / 108 % 6][0], ends[i / 108 % 6][1], sigmas[i / 648]};
+    return STIFF_CASES;
 }
 
 #endif

@@ -222,7 +222,7 @@ static void check_clear(Run *run, const Raster *raster, const Haze *haze, const 
 static void check_truth(Run *run, const Camera *camera, const AirlightSettings *settings, const Image *got)
 {
     const Scene *scene = run_scene(run);
-    Image truth = judge_truth(scene, camera, got->width, got->height, settings, -1.0f);
+    Image truth = airlight_truth(scene, camera, got->width, got->height, settings, -1.0f);
     const bool sampled = strcmp(settings->method, "equiangular") == 0,
                mapped = scene->mesh.triangle_count > 0;
     const double least = scene->lights[0].kind == LIGHT_SPOT ? 1e-2 : 1e-9;
@@ -234,8 +234,8 @@ static void check_truth(Run *run, const Camera *camera, const AirlightSettings *
     image_free(&truth);
 }
 
-void judge_case(Run *run, const Raster *raster, const Haze *haze, const Camera *camera,
-                const AirlightSettings *settings, const Image *got)
+void airlight_case(Run *run, const Raster *raster, const Haze *haze, const Camera *camera,
+                   const AirlightSettings *settings, const Image *got)
 {
     const char *name = run_case(run);
     if (strcmp(name, "linear") == 0)

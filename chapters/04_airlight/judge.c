@@ -108,8 +108,8 @@ static char *cache_path(const Scene *scene, const Camera *camera, int width, int
                             ".exr");
 }
 
-Image judge_truth(const Scene *scene, const Camera *camera, int width, int height,
-                  const AirlightSettings *settings, float ambient)
+Image airlight_truth(const Scene *scene, const Camera *camera, int width, int height,
+                     const AirlightSettings *settings, float ambient)
 {
     char *path = cache_path(scene, camera, width, height, settings, ambient);
     if (access(path, R_OK) == 0) {
@@ -153,11 +153,11 @@ static void errors(Run *run, const char *reference, const Image *got, const Imag
     run_error(run, reference, "mean_ratio", error.mean_ratio);
 }
 
-void judge_errors(Run *run, const Raster *raster, const Camera *camera, const AirlightSettings *settings,
-                  const Image *got)
+void airlight_errors(Run *run, const Raster *raster, const Camera *camera, const AirlightSettings *settings,
+                     const Image *got)
 {
     const int width = got->width, height = got->height;
-    Image truth = judge_truth(run_scene(run), camera, width, height, settings, -1.0f);
+    Image truth = airlight_truth(run_scene(run), camera, width, height, settings, -1.0f);
     errors(run, "truth", got, &truth);
     image_free(&truth);
     AirlightSettings limit = *settings;

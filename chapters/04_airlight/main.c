@@ -281,7 +281,8 @@ int main(int argc, char **argv)
             //]
 
             if (run_truth_wanted(run)) {
-                Image truth = judge_truth(scene, &camera, width, height, &settings, alone ? -1.0f : ambient);
+                Image truth =
+                    airlight_truth(scene, &camera, width, height, &settings, alone ? -1.0f : ambient);
                 run_truth(run, &truth);
                 image_free(&truth);
             }
@@ -289,9 +290,9 @@ int main(int argc, char **argv)
         Camera camera = run_camera(run);
         Image got = target_read(&glow, width, height);
         if (run_measuring_error(run))
-            judge_errors(run, raster, &camera, &settings, &got);
+            airlight_errors(run, raster, &camera, &settings, &got);
         else if (run_checking(run))
-            judge_case(run, raster, &haze, &camera, &settings, &got);
+            airlight_case(run, raster, &haze, &camera, &settings, &got);
         image_free(&got);
 
         target_close(&glow);

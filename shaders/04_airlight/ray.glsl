@@ -34,13 +34,17 @@ struct Ray {
 
 //[cone
 // The cone's border is where (|axis × p| cos)² = (axis·p sin)²: a quadratic in t whose inside, where it is at most 0, is the cone or its mirror image behind the
-// light. The cone is convex, so what is left of the ray is one stretch.
+// light. The cone is convex, so what is left of the ray is one stretch. For a ray that grazes the border b² - ac cancels; it is the same quadratic form, of the other
+// eigenvalues, of the ray's moment m = p × direction, whose factors can be told before they are multiplied.
 void ray_clip_cone(inout Ray ray)
 {
     vec3 across = cross(light_direction, ray.direction) * light_cone.y, beside = cross(light_direction, eye_from_origin) * light_cone.y;
     float along = dot(light_direction, ray.direction) * light_cone.x, ahead = dot(light_direction, eye_from_origin) * light_cone.x;
     float a = dot(across, across) - along * along, b = dot(across, beside) - along * ahead, c = dot(beside, beside) - ahead * ahead;
-    float discriminant = b * b - a * c, apex = -ahead / along; // where the ray passes beside the light
+    vec3 moment = cross(eye_from_origin, ray.direction);
+    float round_axis = length(cross(light_direction, moment)) * light_cone.x, on_axis = abs(dot(light_direction, moment)) * light_cone.y;
+    float discriminant = light_cone.y * light_cone.y * (round_axis - on_axis) * (round_axis + on_axis); // b² - ac
+    float apex = -ahead / along; // where the ray passes beside the light
     float q = -(b + (b >= 0.0 ? 1.0 : -1.0) * sqrt(max(discriminant, 0.0)));
     float first = min(q / a, c / q), last = max(q / a, c / q);
     if (a > 0.0) { // the ray enters and leaves; discriminant < 0: it misses
@@ -68,8 +72,8 @@ Ray ray_of(ivec2 pixel)
     ray.nearest = ray.foot = 0.0;
     float last = AIRLIGHT_CUT / least;
 #else
-    ray.foot = -dot(eye_from_origin, ray.direction);
-    ray.nearest = max(length(cross(eye_from_origin, ray.direction)), AIRLIGHT_LEAST);
+    airlight_from_vectors(-eye_from_origin, ray.direction, ray.nearest, ray.foot);
+    ray.nearest = max(ray.nearest, AIRLIGHT_LEAST);
     if (light_cone.y > 0.0)
         ray_clip_cone(ray);
     // The way eye-point-light grows along the ray: beyond `cut` of s = r + (t - foot) less than e^-14 of the airlight is left.

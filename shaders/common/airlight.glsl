@@ -194,6 +194,17 @@ float airlight_point(float nearest, float foot, float radius, float from, float 
 }
 //]
 
+//[vectors
+// The light's distance from the line of a ray (unit direction), and the foot. The cross product loses no more than the problem does by itself: a light a
+// thousand times nearer to the line than to the eye is known a thousand times worse.
+void airlight_from_vectors(vec3 to_light, vec3 direction, out float nearest, out float foot)
+{
+    float scale = max(abs(to_light.x), max(abs(to_light.y), abs(to_light.z))); // so that no square over- or underflows
+    nearest = scale > 0.0 ? scale * length(cross(to_light / scale, direction)) : 0.0;
+    foot = dot(to_light, direction);
+}
+//]
+
 //[directional
 // ∫ e^(-σ t) dt over [from, to], which may be infinite where σ > 0.
 float airlight_directional(float from, float to, float sigma)

@@ -1,0 +1,57 @@
+// 04 airlight: what takes long: the whole stability table, and random stretches by the thousand.
+#include "airlight_bench.h"
+
+#include <unistd.h>
+
+Test(airlight_slow, the_stability_table_passes)
+{
+    const char *build = getenv("BUILD");
+    char *path = text_format("/tmp/airlight-%d.csv", (int)getpid());
+    char *command = text_format("%s/04_airlight --stability %s 2>/dev/null", build ? build : "build", path);
+    cr_assert_eq(system(command), 0, "%s fails", command);
+    char *table = file_read(path, NULL);
+    int passed = 0, failed = 0;
+    for (const char *line = table; (line = strchr(line, '\n')) != NULL; line++) {
+        passed += line - table > 5 && strncmp(line - 5, ",pass", 5) == 0;
+        failed += line - table > 5 && strncmp(line - 5, ",fail", 5) == 0;
+    }
+    cr_assert(failed == 0 && passed == 42, "%d checks pass, %d fail", passed, failed);
+    unlink(path);
+    free(path);
+    free(command);
+    free(table);
+}
+
+// Drawn over the whole range that the stiff cases are taken from, every power of ten alike.
+Test(airlight_slow, ten_thousand_random_stretches)
+{
+    enum { COUNT = 10000 };
+    static PointCase cases[COUNT];
+    const TruthPhase uniform = {.name = "uniform"};
+    srand(11);
+#define POWER(least, most) ((float)pow(10.0, (least) + ((most) - (least)) * rand() / RAND_MAX))
+    for (int i = 0; i < COUNT; i++) {
+        const float from = i % 2 ? 0.0f : POWER(-6, -0.01), to = i % 11 == 0 ? INFINITY : 1.0f;
+        const float foot = i % 3 == 0   ? -POWER(-6, 6)
+                           : i % 3 == 1 ? POWER(-6, 6)
+                                        : from + POWER(-6, 0) * (1 - from);
+        cases[i] = (PointCase){POWER(-6, 6), foot, POWER(-9, -1), from, to, POWER(-6, 4)};
+    }
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    float *got = bench_run("point.comp", "PHASE 0", NULL, cases, sizeof *cases, COUNT, 2);
+    size_t compared = 0;
+    for (int i = 0; i < COUNT; i++) {
+        const PointCase *c = &cases[i];
+        const double expected = point_truth(c, &uniform);
+        cr_assert(isfinite(got[2 * i]));
+        compared += normal_float(expected);
+        if (normal_float(expected))
+            cr_assert(fabs((double)got[2 * i] - expected) <= 1e-4 * expected,
+                      "%g for %g: nearest %g foot %g radius %g [%g, %g] sigma %g", (double)got[2 * i],
+                      expected, (double)c->nearest, (double)c->foot, (double)c->radius, (double)c->from,
+                      (double)c->to, (double)c->sigma);
+    }
+    cr_assert(compared > COUNT / 3, "%zu", compared);
+    free(got);
+    gl_close();
+}
