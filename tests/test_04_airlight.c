@@ -145,6 +145,20 @@ Test(airlight, equal_angles_beat_equal_steps_near_the_light)
     bench_close(&bench);
 }
 
+// The eye at the light: every ray has the light on its line, where the distance that angles are taken over must not become 0.
+Test(airlight, equal_angles_with_the_light_on_the_ray)
+{
+    Bench bench = bench_open("haze");
+    bench.scene->lights[0].position = bench.scene->camera.eye;
+    bench.settings.nodes = 24;
+    Image exact = bench_draw(&bench);
+    const ImageError error = method_error(&bench, "equiangular", 256, &exact);
+    cr_assert(error.nonfinite == 0 && error.nrmse < 1e-3, "%ld not finite, nrmse %g", error.nonfinite,
+              error.nrmse);
+    image_free(&exact);
+    bench_close(&bench);
+}
+
 // Four lookups share one evaluation of the rest: as many samples, nearly the same picture.
 Test(airlight, factored_is_nearly_equiangular)
 {

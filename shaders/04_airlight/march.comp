@@ -119,5 +119,5 @@ void main()
     sum /= float(steps);
     //]
 #endif
-    ray_store(pixel, ray, sum, uint(SHADOWED * steps));
+    ray_store(pixel, ray, sum, SHADOWED != 0 || EVERYTHING != 0 ? uint(steps) : 0u);
 }
