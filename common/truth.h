@@ -41,8 +41,9 @@ typedef struct TruthShadows TruthShadows;
 typedef struct TruthSpan {
     double t0, t1;
 } TruthSpan;
-TruthShadows *truth_shadows_open(const Mesh *mesh, const Truth *truth); // keeps truth; copies what it needs of the mesh
-void truth_shadows_close(TruthShadows *shadows);                        // NULL is allowed
+TruthShadows *truth_shadows_open(const Mesh *mesh,
+                                 const Truth *truth); // keeps truth; copies what it needs of the mesh
+void truth_shadows_close(TruthShadows *shadows);      // NULL is allowed
 TruthSpan *truth_lit_spans(const TruthShadows *shadows, const Light *light, const double origin[3],
                            const double direction[3], double length, size_t *count);
 

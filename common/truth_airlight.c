@@ -45,13 +45,11 @@ static double integrand(double from_foot, void *data)
 static double panels(Ray *ray, gsl_integration_workspace *work, double from, double to)
 {
     const double least = fmax(ray->nearest, 1e-3 * ray->radius);
-    double sum = 0.0;
-    for (double a = from, b; a < to; a = b) {
-        double part, error, scale = fmax(least, fabs(a));
+    double sum = 0.0, a = from;
+    while (a < to) {
+        double part, error, b = a + fmax(least, a);
         if (a < 0.0) // towards the foot: halve the way
             b = -a > 2.0 * least ? 0.5 * a : fmin(a + least, 0.0);
-        else
-            b = a + scale;
         b = fmin(b, to);
         if (!(b > a))
             break;
@@ -60,6 +58,7 @@ static double panels(Ray *ray, gsl_integration_workspace *work, double from, dou
         sum += part;
         if (a > least && part < 1e-13 * sum)
             break; // of a sum whose parts fall at least as 1/t
+        a = b;
     }
     return sum;
 }

@@ -174,15 +174,15 @@ static void triangle_shadow(const Plane *plane, const double *corners, Intervals
 {
     double height[3], at[3][2], cut[2][2];
     int cuts = 0;
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; i++) {
         const double from[3] = {corners[3 * i] - plane->origin[0], corners[3 * i + 1] - plane->origin[1],
                                 corners[3 * i + 2] - plane->origin[2]};
         height[i] = dot(plane->z, from);
         at[i][0] = dot(plane->x, from);
         at[i][1] = dot(plane->y, from);
     }
-    for (int i = 0; i < 3; i++) {
-        int a = i, b = (i + 1) % 3;
+    for (size_t i = 0; i < 3; i++) {
+        size_t a = i, b = (i + 1) % 3;
         if ((height[a] >= 0.0) == (height[b] >= 0.0) || cuts == 2)
             continue;
         if (memcmp(corners + 3 * a, corners + 3 * b, 3 * sizeof(double)) > 0)

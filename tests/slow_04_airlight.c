@@ -22,6 +22,11 @@ Test(airlight_slow, the_stability_table_passes)
     free(table);
 }
 
+static float power(double least, double most) // of ten, between these exponents
+{
+    return (float)pow(10.0, least + (most - least) * ((double)rand() / RAND_MAX));
+}
+
 // Drawn over the whole range that the stiff cases are taken from, every power of ten alike.
 Test(airlight_slow, ten_thousand_random_stretches)
 {
@@ -29,13 +34,11 @@ Test(airlight_slow, ten_thousand_random_stretches)
     static PointCase cases[COUNT];
     const TruthPhase uniform = {.name = "uniform"};
     srand(11);
-#define POWER(least, most) ((float)pow(10.0, (least) + ((most) - (least)) * rand() / RAND_MAX))
     for (int i = 0; i < COUNT; i++) {
-        const float from = i % 2 ? 0.0f : POWER(-6, -0.01), to = i % 11 == 0 ? INFINITY : 1.0f;
-        const float foot = i % 3 == 0   ? -POWER(-6, 6)
-                           : i % 3 == 1 ? POWER(-6, 6)
-                                        : from + POWER(-6, 0) * (1 - from);
-        cases[i] = (PointCase){POWER(-6, 6), foot, POWER(-9, -1), from, to, POWER(-6, 4)};
+        const float from = i % 2 ? 0.0f : power(-6, -0.01), to = i % 11 == 0 ? INFINITY : 1.0f;
+        const float inside = from + power(-6, 0) * (1 - from);
+        const float foot = i % 3 == 0 ? -power(-6, 6) : i % 3 == 1 ? power(-6, 6) : inside;
+        cases[i] = (PointCase){power(-6, 6), foot, power(-9, -1), from, to, power(-6, 4)};
     }
     gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
     float *got = bench_run("point.comp", "PHASE 0", NULL, cases, sizeof *cases, COUNT, 2);

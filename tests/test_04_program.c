@@ -154,6 +154,8 @@ Test(airlight_program, the_picture_is_surfaces_and_airlight)
 {
     Outcome all = program("--scene blocks"), dim = program("--scene blocks --step attenuation"),
             glow = program("--scene blocks --set show=airlight");
+    cr_assert(all.picture.pixels && dim.picture.pixels && glow.picture.pixels, "%s\n%s\n%s", all.text,
+              dim.text, glow.text);
     for (int i = 0; i < 24 * 24 * all.picture.channels; i++)
         if (i % all.picture.channels < 3)
             cr_assert_eq(all.picture.pixels[i], dim.picture.pixels[i] + glow.picture.pixels[i], "value %d",

@@ -168,8 +168,10 @@ static double point(double nearest, double foot, double radius, double from, dou
 // Clear air: the angle that the light sees the ray under, over its distance. On the ray's line: 1/distance. Inside r0: the length.
 Test(truth_airlight, closed_forms)
 {
-    for (double h = 1e-6; h < 1e7; h *= 10)
-        for (double f = -1e6; f < 1e7; f = f < -1 ? f / 1e3 : f < 0 ? 0.3 : f * 1e3) {
+    static const double feet[] = {-1e6, -1e3, -1, 0.3, 300, 3e5};
+    for (int power = -6; power <= 6; power++)
+        for (size_t i = 0; i < sizeof feet / sizeof *feet; i++) {
+            const double h = pow(10, power), f = feet[i];
             const double angle = atan2(h * 1.0, h * h + (0 - f) * (1 - f));
             cr_assert_float_eq(point(h, f, 1e-9, 0, 1, 0) / (angle / h), 1.0, 1e-8, "h %g f %g", h, f);
             const double endless = atan2(h, -f) / h;

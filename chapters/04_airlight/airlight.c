@@ -50,8 +50,10 @@ double sun_f(double u, double v)
 float *sun_table(int size)
 {
     float *table = memory_new((size_t)size * (size_t)size, sizeof *table, "the table of F");
-    for (int i = 0; i < size * size; i++)
-        table[i] = (float)sun_f(SUN_MOST_U * (i % size) / (size - 1.0), M_PI_2 * (i / size) / (size - 1.0));
+    for (int row = 0; row < size; row++)
+        for (int column = 0; column < size; column++)
+            table[row * size + column] =
+                (float)sun_f(SUN_MOST_U * column / (size - 1.0), M_PI_2 * row / (size - 1.0));
     return table;
 }
 

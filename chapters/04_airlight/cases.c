@@ -83,8 +83,10 @@ static double fluence(Run *run, const Raster *raster, Copy *copy, const Airlight
         copy->camera.target = copy->camera.eye + ahead;
         copy->camera.vertical_fov_rad = (float)M_PI_2;
         Image image = draw(run, raster, copy, settings, SIDE);
-        for (int i = 0; i < SIDE * SIDE; i++) {
-            const double u = 2.0 * (i % SIDE + 0.5) / SIDE - 1.0, v = 2.0 * (i / SIDE + 0.5) / SIDE - 1.0;
+        for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
+            const size_t column = i % SIDE, row = i / SIDE;
+            const double u = 2.0 * ((double)column + 0.5) / SIDE - 1.0,
+                         v = 2.0 * ((double)row + 0.5) / SIDE - 1.0;
             sum += (double)image.pixels[4 * i] * 4.0 / (SIDE * SIDE) / pow(1.0 + u * u + v * v, 1.5);
         }
         image_free(&image);
@@ -159,16 +161,17 @@ static void check_absorption(Run *run, const Raster *raster, const Haze *haze, c
     raster_light_add(raster, &renderer.gbuffer, camera, light, &renderer.maps[0], clear.texture);
     haze_attenuate(haze, &renderer.gbuffer, camera, scene, light, clear.texture, dim.texture);
     Image before = target_read(&clear, width, height), after = target_read(&dim, width, height);
-    float *seen = memory_new((size_t)(width * height), sizeof *seen, "distances");
-    gl_texture_read(renderer.gbuffer.distance, 0, GL_RED, GL_FLOAT, sizeof *seen * (size_t)(width * height),
-                    seen);
+    const size_t pixels = (size_t)width * (size_t)height;
+    float *seen = memory_new(pixels, sizeof *seen, "distances");
+    gl_texture_read(renderer.gbuffer.distance, 0, GL_RED, GL_FLOAT, sizeof *seen * pixels, seen);
     const double sigma = (double)scene->medium.absorption[0];
     const mat4 turn = camera_view(*camera);
     const double half = tan(0.5 * (double)camera->vertical_fov_rad);
     for (int i = 0; i < width * height; i++) { // expected, in place of `before`
-        const double d = (double)seen[(height - 1 - i / width) * width + i % width];
-        const double u = half * (2.0 * (i % width + 0.5) / width - 1.0),
-                     v = half * (1.0 - 2.0 * (i / width + 0.5) / height);
+        const int column = i % width, row = i / width;
+        const double d = (double)seen[(height - 1 - row) * width + column];
+        const double u = half * (2.0 * (column + 0.5) / width - 1.0),
+                     v = half * (1.0 - 2.0 * (row + 0.5) / height);
         double leg = 0.0;
         for (int k = 0; k < 3; k++) {
             const double along =

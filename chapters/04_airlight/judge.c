@@ -125,8 +125,8 @@ Image airlight_truth(const Scene *scene, const Camera *camera, int width, int he
     Image image = image_make(width, height, 4);
     for (int i = 0; i < width * height; i++) {
         double direction[3], radiance[3];
-        view_ray(&view, 2.0 * (i % width + 0.5) / width - 1.0, 1.0 - 2.0 * (i / width + 0.5) / height,
-                 direction);
+        const int column = i % width, row = i / width;
+        view_ray(&view, 2.0 * (column + 0.5) / width - 1.0, 1.0 - 2.0 * (row + 0.5) / height, direction);
         const vec3 along = vec3_make((float)direction[0], (float)direction[1], (float)direction[2]);
         const TruthHit hit = truth_ray(truth, camera->eye, along);
         truth_airlight(shadows, scene, &phase, view.eye, direction, (double)hit.distance, radiance);

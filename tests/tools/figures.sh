@@ -20,4 +20,10 @@ while IFS=$tab read -r what options <&3; do
     esac
     echo "  $command"
     sh -c "$command" </dev/null || { echo "figures: failed: $command" >&2; exit 1; }
+    # a figure of many curves: fewer colours, until it is as small as a lesson's pictures must be
+    picture=$folder/pictures/$what
+    for colors in 256 64 16; do
+        [ "${what%.png}" != "$what" ] && [ "$(wc -c <"$picture")" -gt 60000 ] || break
+        convert "$picture" -strip -colors $colors -define png:compression-level=9 "$picture.small.png" && mv "$picture.small.png" "$picture" || exit 1
+    done
 done 3<"$list"
