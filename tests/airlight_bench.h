@@ -68,4 +68,34 @@ static inline size_t stiff_cases(PointCase *cases)
     return STIFF_CASES;
 }
 
+// Every stiff case against the truth.
+static inline void check_stiff(const char *definitions, const TruthPhase *phase, double tolerance)
+{
+    static PointCase cases[STIFF_CASES];
+    const size_t count = stiff_cases(cases);
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    float *got = bench_run("point.comp", definitions, phase, cases, sizeof *cases, count, 2);
+    size_t compared = 0;
+    for (size_t i = 0; i < count; i++) {
+        const PointCase *c = &cases[i];
+        const double expected = point_truth(c, phase), value = (double)got[2 * i],
+                     error = fabs(value - expected);
+        char *where = text_format("%g for %g: nearest %g foot %g radius %g [%g, %g] sigma %g", value,
+                                  expected, (double)c->nearest, (double)c->foot, (double)c->radius,
+                                  (double)c->from, (double)c->to, (double)c->sigma);
+        cr_assert(isfinite(value), "%s", where);
+        if (c->from == c->to)
+            cr_assert_eq(value, 0.0, "%s", where);
+        // What is no normal float may come out as 0, which this renderer makes of it.
+        if (normal_float(expected)) {
+            cr_assert(error <= tolerance * expected, "off by %g: %s", error / expected, where);
+            compared++;
+        }
+        free(where);
+    }
+    cr_assert(compared > count / 3, "only %zu of %zu values are normal floats", compared, count);
+    free(got);
+    gl_close();
+}
+
 #endif

@@ -128,25 +128,33 @@ static void check_phase(const Run *run)
 
 enum { SURFACES, ATTENUATED, UNSHADOWED, SHADOWED, PICTURES }; // in the order of `steps`
 
-// One light after the other into `picture`, through the depth maps where `shadows` are wanted and can be.
-static void draw_airlight(Run *run, Airlight by_shadow[2], const Renderer *renderer, const Camera *camera,
-                          bool shadows, GLuint framebuffer, GLuint picture)
+// One light after the other into `glow`, through the depth maps where `shadows` are wanted and can be; the method's shaders without and with lookups are
+// compiled when they are first used.
+static void draw_airlight(Run *run, const AirlightSettings *settings, Airlight by_shadow[2],
+                          const Renderer *renderer, const Camera *camera, bool shadows, const Target *glow)
 {
-    static const float black[4] = {0};
-    gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black);
-    for (size_t i = 0; i < renderer->scene->light_count; i++) {
-        const Light *light = &renderer->scene->lights[i];
-        const bool cast = shadows && airlight_can_shadow(renderer->scene, light, camera, run_aspect(run));
-        airlight_add(&by_shadow[cast], &renderer->gbuffer, camera, renderer->scene, light, &renderer->maps[i],
-                     picture);
+    const Scene *scene = renderer->scene;
+    double missed = 0, lookups = 0;
+    target_clear(glow);
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const bool cast = shadows && airlight_can_shadow(scene, &scene->lights[i], camera, run_aspect(run));
+        if (!by_shadow[cast].counters) {
+            AirlightSettings with = *settings;
+            with.shadowed = cast;
+            by_shadow[cast] = airlight_open(&with, renderer->maps, scene->light_count);
+        }
+        airlight_add(&by_shadow[cast], &renderer->gbuffer, camera, scene, &scene->lights[i],
+                     &renderer->maps[i], glow->texture);
+        if (settings->count) {
+            uint32_t counts[2];
+            airlight_counts(&by_shadow[cast], &counts[0], &counts[1]);
+            missed += counts[0];
+            lookups += counts[1];
+        }
     }
-    if (by_shadow[shadows].settings.count) {
-        uint32_t missed[2], lookups[2];
-        for (int i = 0; i < 2; i++)
-            airlight_counts(&by_shadow[i], &missed[i], &lookups[i]);
-        run_skipped(run, (double)missed[0] + (double)missed[1],
-                    (double)run_width(run) * run_height(run) * (double)renderer->scene->light_count);
-        run_count(run, "lookups", (double)lookups[0] + (double)lookups[1]);
+    if (settings->count) {
+        run_skipped(run, missed, (double)run_width(run) * run_height(run) * (double)scene->light_count);
+        run_count(run, "lookups", lookups);
     }
 }
 
@@ -178,14 +186,11 @@ int main(int argc, char **argv)
                                      .rayleigh_share = (float)run_number(run, "rayleigh_share"),
                                      .seed = (uint32_t)run_seed(run),
                                      .grey = extinction[0] == extinction[1] && extinction[1] == extinction[2],
+                                     .shadowed = true, // where a comparison is drawn
                                      .count = !run_measuring_error(run)};
         const bool knows_shadow = airlight_uses_map(&settings);
         Renderer renderer = renderer_open(raster, scene, width, height, run_integer(run, "map"));
-        Airlight airlight[2];
-        for (int i = 0; i < 2; i++) {
-            settings.shadowed = i == 1;
-            airlight[i] = airlight_open(&settings, renderer.maps, scene->light_count);
-        }
+        Airlight airlight[2] = {0}; // without and with shadow
         Target picture[PICTURES], one_light = target_open("one light", width, height);
         Target glow = target_open("airlight", width, height);
         for (int i = 0; i < PICTURES; i++)
@@ -262,7 +267,7 @@ int main(int argc, char **argv)
                                               : NOT_SHOWN;
             if (run_pass(run, "airlight without shadow", changed && lit && scatters && show_unshadowed,
                          why_not))
-                draw_airlight(run, airlight, &renderer, &camera, false, glow.framebuffer, glow.texture);
+                draw_airlight(run, &settings, airlight, &renderer, &camera, false, &glow);
             if (run_pass_common(run, "sum without shadow", changed && scatters && show_unshadowed, why_not))
                 haze_add(&haze, &renderer.gbuffer, alone ? 0.0f : 1.0f, surfaces, glow.texture,
                          picture[UNSHADOWED].texture);
@@ -272,8 +277,7 @@ int main(int argc, char **argv)
                               : surfaces);
 
             if (run_pass(run, "airlight", changed && lit && scatters && show_airlight, why_not))
-                draw_airlight(run, airlight, &renderer, &camera, knows_shadow, glow.framebuffer,
-                              glow.texture);
+                draw_airlight(run, &settings, airlight, &renderer, &camera, knows_shadow, &glow);
             if (run_pass_common(run, "sum", changed && scatters && pictures && show_airlight, why_not))
                 haze_add(&haze, &renderer.gbuffer, alone ? 0.0f : 1.0f, surfaces, glow.texture,
                          picture[SHADOWED].texture);
