@@ -157,9 +157,6 @@ void airlight_errors(Run *run, const Raster *raster, const Camera *camera, const
                      const Image *got)
 {
     const int width = got->width, height = got->height;
-    Image truth = airlight_truth(run_scene(run), camera, width, height, settings, -1.0f);
-    errors(run, "truth", got, &truth);
-    image_free(&truth);
     AirlightSettings limit = *settings;
     limit.shadowed = airlight_uses_map(settings);
     limit.method = limit.shadowed ? "segments" : "gauss";
@@ -169,4 +166,7 @@ void airlight_errors(Run *run, const Raster *raster, const Camera *camera, const
         render_airlight(raster, run_scene(run), camera, width, height, run_integer(run, "map"), &limit);
     errors(run, "converged", got, &converged);
     image_free(&converged);
+    Image truth = airlight_truth(run_scene(run), camera, width, height, settings, -1.0f);
+    errors(run, "truth", got, &truth);
+    image_free(&truth);
 }
