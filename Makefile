@@ -74,7 +74,8 @@ TRUTH := $(wildcard common/truth*.[ch])
 $(filter $(OBJ)/common/truth%,$(COMMON)): DEFINE = -DTRUTH_SOURCE_HASH="\"$$(cat $(TRUTH) | sha1sum | cut -c1-40)\""
 $(filter $(OBJ)/common/truth%,$(COMMON)): $(TRUTH)
 
-ARCHIVE = @rm -f $@; ar rcs $@ $(filter %.o,$^)
+# P: members by their whole paths, since two chapters may have a file of one name.
+ARCHIVE = @rm -f $@; ar rcsP $@ $(filter %.o,$^)
 $(BUILD)/libcommon.a: $(COMMON) $(BUILD)/members
 	$(ARCHIVE)
 $(BUILD)/libtechniques.a: $(TECHNIQUES) $(BUILD)/members

@@ -153,6 +153,7 @@ void make_colonnade(Scene *scene, uint64_t seed)
     scene_add_light(scene, (Light){.kind = LIGHT_DIRECTIONAL,
                                    .direction = vec3_make(0.3f, -0.8f, -0.5f),
                                    .intensity = vec3_make(5.0f, 4.6f, 4.0f)});
+    scene->medium = (Medium){vec3_make(0.018f, 0.018f, 0.018f), vec3_make(0.002f, 0.002f, 0.002f), 0.6f};
     scene->camera =
         (Camera){vec3_make(-10.8f, 2.3f, 3.1f), vec3_make(0, 3.5f, -1.6f), vec3_make(0, 1, 0), 1.05f, 0, 0};
 }

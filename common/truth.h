@@ -95,6 +95,35 @@ double truth_gap_bound(const Mesh *mesh, const VoxelGrid *grid);
 // Four float32 vertices a face, equal where faces meet. Ends the program where voxels or vertices are more than 2^32 − 1.
 Mesh truth_voxel_mesh(const uint32_t *voxels, const VoxelGrid *grid);
 
+// Which stretches of a ray a light reaches, in double and exactly: every triangle that cuts the plane of ray and light throws its shadow on the
+// ray, so no stretch is missed, however short. Spans are [t0, t1] in metres along the unit direction, in order, within [0, length] (which may be
+// infinite) and a spot's cone; new memory. A light on the ray's line (nearer than 1e-12 of its distance) is shadowed by Embree's hits along it.
+typedef struct TruthShadows TruthShadows;
+typedef struct TruthSpan {
+    double t0, t1;
+} TruthSpan;
+TruthShadows *truth_shadows_open(const Mesh *mesh,
+                                 const Truth *truth); // keeps truth; copies what it needs of the mesh
+void truth_shadows_close(TruthShadows *shadows);      // NULL is allowed
+TruthSpan *truth_lit_spans(const TruthShadows *shadows, const Light *light, const double origin[3],
+                           const double direction[3], double length, size_t *count);
+
+// How a medium's particles share out what they scatter, by name: uniform, rayleigh, henyey_greenstein, hoffman_preetham (as printed),
+// hoffman_preetham_normalized; 1/sr of cosθ.
+typedef struct TruthPhase {
+    const char *name;
+    double mean_cosine, rayleigh_share;
+} TruthPhase;
+double truth_phase(const TruthPhase *phase, double cosine);
+
+// Single scattering along [from, to] (which may be infinite) of a ray, lit throughout, for σs = 1 and intensity or irradiance 1, by GSL's adaptive
+// quadrature in double, to 1e-9 of itself. `nearest`: the light's distance from the ray's line; `foot`: where along it; radius: r0.
+double truth_airlight_point(double nearest, double foot, double radius, double from, double to, double sigma,
+                            const TruthPhase *phase);
+// The radiance that the scene's lights and medium scatter into the ray [0, length], W/(sr·m²).
+void truth_airlight(const TruthShadows *shadows, const Scene *scene, const TruthPhase *phase,
+                    const double origin[3], const double direction[3], double length, double radiance[3]);
+
 // Cache under out/truth: the path of the file for this key. The key also holds a hash of truth's own source, so that a changed truth
 // is computed anew. `inputs` hashes everything that the picture depends on (hash_bytes).
 char *truth_cache_path(const char *what, uint64_t inputs, const char *ending); // caller frees; folder is made

@@ -20,8 +20,10 @@ while IFS=$tab read -r what options <&3; do
     esac
     echo "  $command"
     sh -c "$command" </dev/null || { echo "figures: failed: $command" >&2; exit 1; }
-    # As in pictures.sh: a lesson's picture has at most 60 kB; lines and letters lose nothing by 64 colours.
-    case $what in *.png)
-        [ "$(wc -c <"$folder/pictures/$what")" -le 60000 ] || convert "$folder/pictures/$what" -strip -colors 64 -define png:compression-level=9 "$folder/pictures/$what" || exit 1 ;;
-    esac
+    # a figure of many curves: fewer colours, until it is as small as a lesson's pictures must be
+    picture=$folder/pictures/$what
+    for colors in 256 64 16; do
+        [ "${what%.png}" != "$what" ] && [ "$(wc -c <"$picture")" -gt 60000 ] || break
+        convert "$picture" -strip -colors $colors -define png:compression-level=9 "$picture.small.png" && mv "$picture.small.png" "$picture" || exit 1
+    done
 done 3<"$list"

@@ -1,0 +1,73 @@
+// 04 airlight: what takes long: the whole stability table, and random stretches by the thousand.
+#include "airlight_bench.h"
+
+#include <unistd.h>
+
+Test(airlight_slow, the_stability_table_passes)
+{
+    const char *build = getenv("BUILD");
+    char *path = text_format("/tmp/airlight-%d.csv", (int)getpid());
+    char *command = text_format("%s/04_airlight --stability %s 2>/dev/null", build ? build : "build", path);
+    cr_assert_eq(system(command), 0, "%s fails", command);
+    char *table = file_read(path, NULL);
+    int passed = 0, failed = 0;
+    for (const char *line = table; (line = strchr(line, '\n')) != NULL; line++) {
+        passed += line - table > 5 && strncmp(line - 5, ",pass", 5) == 0;
+        failed += line - table > 5 && strncmp(line - 5, ",fail", 5) == 0;
+    }
+    cr_assert(failed == 0 && passed == 42, "%d checks pass, %d fail", passed, failed);
+    unlink(path);
+    free(path);
+    free(command);
+    free(table);
+}
+
+// A thousandth wide: 1.8e-4 forward and 4.4e-4 backward.
+Test(airlight_slow, narrowest_peaks)
+{
+    check_stiff("PHASE 2", &(TruthPhase){.name = "henyey_greenstein", .mean_cosine = (double)0.999f}, 3e-4);
+    check_stiff("PHASE 2\nAIRLIGHT_NODES 24",
+                &(TruthPhase){.name = "henyey_greenstein", .mean_cosine = (double)-0.999f}, 5e-4);
+}
+Test(airlight_slow, eight_nodes_and_24)
+{
+    check_stiff("PHASE 0\nAIRLIGHT_NODES 8", &(TruthPhase){.name = "uniform"}, 5e-2);
+    check_stiff("PHASE 0\nAIRLIGHT_NODES 24", &(TruthPhase){.name = "uniform"}, 3e-5);
+}
+
+static float power(double least, double most) // of ten, between these exponents
+{
+    return (float)pow(10.0, least + (most - least) * ((double)rand() / RAND_MAX));
+}
+
+// Drawn over the whole range that the stiff cases are taken from, every power of ten alike.
+Test(airlight_slow, ten_thousand_random_stretches)
+{
+    enum { COUNT = 10000 };
+    static PointCase cases[COUNT];
+    const TruthPhase uniform = {.name = "uniform"};
+    srand(11);
+    for (int i = 0; i < COUNT; i++) {
+        const float from = i % 2 ? 0.0f : power(-6, -0.01), to = i % 11 == 0 ? INFINITY : 1.0f;
+        const float inside = from + power(-6, 0) * (1 - from);
+        const float foot = i % 3 == 0 ? -power(-6, 6) : i % 3 == 1 ? power(-6, 6) : inside;
+        cases[i] = (PointCase){power(-6, 6), foot, power(-9, -1), from, to, power(-6, 4)};
+    }
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    float *got = bench_run("point.comp", "PHASE 0", NULL, cases, sizeof *cases, COUNT, 2);
+    size_t compared = 0;
+    for (int i = 0; i < COUNT; i++) {
+        const PointCase *c = &cases[i];
+        const double expected = point_truth(c, &uniform);
+        cr_assert(isfinite(got[2 * i]));
+        compared += normal_float(expected);
+        if (normal_float(expected))
+            cr_assert(fabs((double)got[2 * i] - expected) <= 1e-4 * expected,
+                      "%g for %g: nearest %g foot %g radius %g [%g, %g] sigma %g", (double)got[2 * i],
+                      expected, (double)c->nearest, (double)c->foot, (double)c->radius, (double)c->from,
+                      (double)c->to, (double)c->sigma);
+    }
+    cr_assert(compared > COUNT / 3, "%zu", compared);
+    free(got);
+    gl_close();
+}

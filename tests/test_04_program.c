@@ -1,0 +1,178 @@
+// 04 airlight: the program as a user runs it: what is left out and that it changes nothing, what is built again, the stability table.
+#include "base.h"
+#include "image.h"
+
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef struct Outcome {
+    int status;
+    char *text; // what it said: the plan
+    Image picture;
+} Outcome;
+
+static Outcome program(const char *arguments)
+{
+    const char *build = getenv("BUILD");
+    char *out = text_format("/tmp/airlight-%d", (int)getpid());
+    char *command =
+        text_format("%s/04_airlight --size 24x24 --set map=64 --set steps=16 --out %s.exr --plan %s >%s 2>&1",
+                    build ? build : "build", out, arguments, out);
+    char *picture = text_format("%s.exr", out);
+    const int status = system(command);
+    Outcome outcome = {.status = status >> 8, .text = file_read(out, NULL)};
+    if (outcome.status == 0)
+        outcome.picture = image_read(picture);
+    unlink(out);
+    unlink(picture);
+    free(out);
+    free(command);
+    free(picture);
+    return outcome;
+}
+static void outcome_free(Outcome *outcome)
+{
+    free(outcome->text);
+    image_free(&outcome->picture);
+}
+
+static const char *line_of(const char *plan, const char *pass)
+{
+    const size_t length = strlen(pass);
+    const char *line = plan;
+    while (line && !(strncmp(line, pass, length) == 0 && strncmp(line + length, "  ", 2) == 0))
+        line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL;
+    cr_assert(line, "no pass '%s' in\n%s", pass, plan);
+    return line;
+}
+static bool ran(const char *plan, const char *pass)
+{
+    char word[8] = "";
+    sscanf(line_of(plan, pass) + strlen(pass), "%7s", word);
+    return strcmp(word, "yes") == 0;
+}
+static double count(const char *plan, const char *pass, const char *what)
+{
+    const char *line = line_of(plan, pass), *end = strchr(line, '\n'), *found = strstr(line, what);
+    return found && (!end || found < end) ? atof(found + strlen(what)) : -1.0;
+}
+
+// Left out: the same picture with --everything, bit for bit. Just beyond the rule: another picture.
+// The plans of both, for more to ask; the caller frees them.
+typedef struct Plans {
+    char *fires, *beyond;
+} Plans;
+static void plans_free(Plans plans)
+{
+    free(plans.fires);
+    free(plans.beyond);
+}
+static Plans check_left_out(const char *fires, const char *beyond, const char *pass)
+{
+    char *all = text_format("%s --everything", fires);
+    Outcome without = program(fires), with = program(all), other = program(beyond);
+    cr_assert(without.status == 0 && with.status == 0 && other.status == 0, "%s\n%s\n%s", without.text,
+              with.text, other.text);
+    if (pass) {
+        cr_assert(!ran(without.text, pass) && ran(with.text, pass) && ran(other.text, pass), "%s: %s", fires,
+                  pass);
+        cr_assert(count(with.text, pass, "compute_invocations=") > 0 ||
+                      count(with.text, pass, "fragments=") > 0,
+                  "%s --everything does no %s", fires, pass);
+    }
+    cr_assert_eq(image_compare(&without.picture, &with.picture).max_abs, 0.0,
+                 "%s: --everything shows another picture", fires);
+    cr_assert(image_compare(&without.picture, &other.picture).max_abs > 0.0, "%s: %s shows the same", fires,
+              beyond);
+    image_free(&without.picture);
+    image_free(&other.picture);
+    outcome_free(&with);
+    free(all);
+    return (Plans){without.text, other.text};
+}
+
+Test(airlight_program, a_medium_that_scatters_nothing)
+{
+    plans_free(check_left_out("--scene blocks --set scattering=0,0,0",
+                              "--scene blocks --set scattering=0,0,1e-4", "airlight"));
+}
+Test(airlight_program, a_medium_that_takes_nothing)
+{
+    plans_free(check_left_out("--scene blocks --set scattering=0,0,0 --set absorption=0,0,0",
+                              "--scene blocks --set scattering=0,0,0 --set absorption=1e-4,0,0",
+                              "attenuation"));
+}
+// A uniform phase function, one exponential for three colours, samples behind the first surface: all at once with --everything.
+Test(airlight_program, what_a_sample_does_not_need)
+{
+    plans_free(check_left_out(
+        "--scene blocks --set method=march",
+        "--scene blocks --set method=march --set phase=henyey_greenstein --set mean_cosine=0.01", NULL));
+}
+
+// Rays beside a spot's cone: most of the picture, none where the cone is wide.
+Test(airlight_program, rays_beside_the_cone)
+{
+    Plans plans = check_left_out(
+        "--scene beam", "--scene beam --set light_half_angle_deg=89 --set light_direction=0,0,-1", NULL);
+    const double narrow = atof(strstr(line_of(plans.fires, "airlight"), "yes") + 14);
+    cr_assert(strstr(line_of(plans.fires, "airlight"), "of 576 left out") && narrow > 200, "%s", plans.fires);
+    cr_assert(strstr(line_of(plans.beyond, "airlight"), " 0 of 576 left out"), "%s", plans.beyond);
+    plans_free(plans);
+}
+
+// Away from the block and its shadow there is nothing to look up; where the shadow comes into view there is.
+Test(airlight_program, lookups_where_nothing_can_cast)
+{
+    Plans plans = check_left_out("--scene blocks --set show=airlight --set eye=3,0,0 --set target=4,0,0",
+                                 "--scene blocks --set show=airlight --set eye=-3,0,0 --set target=-4,0,0",
+                                 "depth maps");
+    cr_assert_eq(count(plans.fires, "airlight", "lookups="), 0.0, "%s", plans.fires);
+    cr_assert_eq(count(plans.beyond, "airlight", "lookups="), 24.0 * 24 * 16, "%s", plans.beyond);
+    plans_free(plans);
+}
+
+Test(airlight_program, what_has_not_changed_is_not_built_again)
+{
+    const struct {
+        const char *frames;
+        bool map, gbuffer, airlight;
+    } cases[] = {
+        {"--scene blocks --frames 2", false, false, false},
+        {"--scene blocks --frames 2 --path orbit", false, true, true},
+        {"--scene blocks --frames 2 --path light", true, false, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Outcome outcome = program(cases[i].frames);
+        cr_assert_eq(ran(outcome.text, "depth maps"), cases[i].map, "%s: depth maps", cases[i].frames);
+        cr_assert_eq(ran(outcome.text, "G-buffer"), cases[i].gbuffer, "%s: G-buffer", cases[i].frames);
+        cr_assert_eq(ran(outcome.text, "airlight"), cases[i].airlight, "%s: airlight", cases[i].frames);
+        outcome_free(&outcome);
+    }
+}
+
+// What is shown alone is what was added.
+Test(airlight_program, the_picture_is_surfaces_and_airlight)
+{
+    Outcome all = program("--scene blocks"), dim = program("--scene blocks --step attenuation"),
+            glow = program("--scene blocks --set show=airlight");
+    cr_assert(all.picture.pixels && dim.picture.pixels && glow.picture.pixels, "%s\n%s\n%s", all.text,
+              dim.text, glow.text);
+    for (int i = 0; i < 24 * 24 * all.picture.channels; i++)
+        if (i % all.picture.channels < 3)
+            cr_assert_eq(all.picture.pixels[i], dim.picture.pixels[i] + glow.picture.pixels[i], "value %d",
+                         i);
+    outcome_free(&all);
+    outcome_free(&dim);
+    outcome_free(&glow);
+}
+
+Test(airlight_program, closed_forms_for_one_phase_function_alone)
+{
+    Outcome refused = program("--scene haze --set method=sun --set phase=rayleigh");
+    cr_assert_eq(refused.status, 2);
+    cr_assert(strstr(refused.text, "holds for phase=uniform alone"), "%s", refused.text);
+    free(refused.text);
+}
