@@ -88,6 +88,14 @@ $(BUILD)/only/test_$(firstword $(subst _, ,$(1)))%: $(filter-out %/main.c.o,$(ca
 endef
 $(foreach c,$(CHAPTERS),$(eval $(call CHAPTER,$(c))))
 
+# The page of make report, of several files.
+REPORT  := $(wildcard tests/report/*.c)
+SOURCES += $(REPORT)
+TOOLS   += $(BUILD)/report
+$(BUILD)/report: $(call objects,tests/report/*.c) $(BUILD)/libcommon.a
+	$(call LINK)
+-include $(patsubst %.c,$(OBJ)/%.c.d,$(REPORT))
+
 # The proof that gl and shader stand alone: nothing else is linked.
 $(BUILD)/triangle: $(OBJ)/tests/triangle.c.o $(call objects,common/base*.c common/gl*.c common/shader*.c)
 	$(call LINK)
@@ -157,9 +165,11 @@ pictures: $(PROGRAMS) ## render the lessons' pictures (chapters/NN_name/pictures
 	@for chapter in $(CHAPTERS); do sh tests/tools/pictures.sh $(BUILD)/$$chapter chapters/$$chapter || exit 1; done
 figures: $(PROGRAMS) $(BUILD)/figure ## measure each chapter's sweep and stability table and draw them (chapters/NN_name/figures.txt)
 	@for chapter in $(CHAPTERS); do sh tests/tools/figures.sh $(BUILD) $$chapter || exit 1; done
+report: $(PROGRAMS) $(BUILD)/report ## measure every chapter, at most 10 minutes each, write out/report/index.html; goes on where it stopped. QUICK=1: 5 minutes in all, FULL=1: the widest
+	@sh tests/tools/report.sh $(BUILD) out/report chapters $(CHAPTERS)
 
 # --- for those who change the code -------------------------------------------------------------------------------------------
-FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch]))
+FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch] tests/report/*.[ch]))
 format: ## clang-format every C and C++ file in place
 	clang-format -i $(FORMATTED)
 lint: compile_commands.json ## format, clang-tidy, cppcheck, include edges, line counts, unused shaders and functions
@@ -175,4 +185,4 @@ help: ## this list
 
 -include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c))
 .PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
-  lessons lessons-check pictures figures format lint clean help FORCE
+  lessons lessons-check pictures figures report format lint clean help FORCE

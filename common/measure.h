@@ -75,7 +75,7 @@ typedef struct FigurePoint {
 void measure_figure(const char *path, const char *title, const char *metric, const FigurePoint *points,
                     size_t count, const Machine *machine);
 
-// Bars of parts, one on the other, each part in its own colour. parts: bar_count × part_count, none below 0.
+// Bars of parts, one on the other, each part in its own colour. values: bar_count × part_count, none below 0. A bar's name may have two lines.
 typedef struct FigureBars {
     const char *const *bars, *const *parts;
     size_t bar_count, part_count;

@@ -112,7 +112,7 @@ static FILE *figure_begin(const char *path, const char *title, const char *metri
     put_quoted(script, title);
     fputs(" noenhanced\nset ylabel ", script);
     put_quoted(script, metric);
-    fputs(" noenhanced\nset bmargin 9\nset key outside right top noenhanced\n"
+    fputs(" noenhanced\nset bmargin 9\nset key outside right top Left reverse samplen 2 noenhanced\n"
           // Okabe and Ito's colours, told apart by the colour-blind; shapes tell them apart in grey
           "colours = '#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9 #000000'\n"
           "colour(k) = word(colours, k % 7 + 1)\nshape(k) = 5 + 2 * (k % 5)\n",
@@ -164,7 +164,7 @@ void measure_figure(const char *path, const char *title, const char *metric, con
     put_machine(script, machine);
     if (drawn < count)
         put_note(script, 4, text_format("%zu points are not finite and left out", count - drawn));
-    fputs("plot $front with lines lw 7 lc rgb '#d0d0d0' title 'Pareto front', "
+    fputs("plot $front with linespoints lw 7 pt 7 ps 2.2 lc rgb '#d0d0d0' title 'Pareto front', "
           "for [k=0:|name|-1] $points index k using 1:2 with lines lw 1.5 lc rgb colour(k) notitle, "
           "for [k=0:|name|-1] $points index k using 1:2:3:4 with xerrorbars pt 0 lc rgb colour(k) notitle, "
           "for [k=0:|name|-1] $points index k using 1:($5 > 0 ? NaN : $2) with points pt shape(k) lc rgb "
@@ -190,7 +190,10 @@ void measure_bars(const char *path, const char *title, const char *metric, const
     for (size_t i = 0; i < bars->bar_count; i++) {
         fputc('"', script); // as put_quoted, but a data block's quotes are double and cannot be escaped
         for (const char *c = bars->bars[i]; *c; c++)
-            fputc(iscntrl((unsigned char)*c) || *c == '"' ? ' ' : *c, script);
+            if (*c == '\n')
+                fputs("\\n", script);
+            else
+                fputc(iscntrl((unsigned char)*c) || *c == '"' || *c == '\\' ? ' ' : *c, script);
         fputc('"', script);
         for (size_t part = 0; part < bars->part_count; part++)
             fprintf(script, " %.9g", bars->values[i * bars->part_count + part]);
