@@ -94,6 +94,7 @@ SOURCES += $(REPORT)
 TOOLS   += $(BUILD)/report
 $(BUILD)/report: $(call objects,tests/report/*.c) $(BUILD)/libcommon.a
 	$(call LINK)
+$(BUILD)/only/test_report: | $(BUILD)/report
 -include $(patsubst %.c,$(OBJ)/%.c.d,$(REPORT))
 
 # The proof that gl and shader stand alone: nothing else is linked.
