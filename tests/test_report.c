@@ -205,6 +205,25 @@ Test(report, numbers_are_those_of_the_laws)
     csv_table_free(&table);
 }
 
+Test(report, techniques_are_compared_on_the_same_problem)
+{
+    tables_make();
+    file_put("chapters/01_a/report.txt", "brute\tbrute\nsame\tsteps\n");
+    cr_assert_eq(shell("$B/report $T/out $T/chapters 01_a >$T/log 2>&1"), 0, "%s", text_of("log"));
+    CsvTable table = table_of("out/01_a/01_a-box-8x8-nrmse.equal_error.csv");
+    for (size_t row = 1; row < table.rows; row++)
+        if (strcmp(csv_table_field(&table, row, "technique"), "fast") == 0) {
+            // one point each: error 1/n in n ms against 0.64/n² in n/8 ms
+            cr_assert_str_eq(csv_table_field(&table, row, "reach"), "bound", "row %zu", row);
+            cr_assert_float_eq(atof(csv_table_field(&table, row, "speed_up")), 8, 8 * ROUNDING, "row %zu",
+                               row);
+        }
+    csv_table_free(&table);
+    table = table_of("out/01_a/orders.csv");
+    cr_assert_eq(table.rows, 1, "no order over what poses another problem");
+    csv_table_free(&table);
+}
+
 Test(report, page_says_what_there_is_and_what_is_not)
 {
     tables_make();

@@ -114,6 +114,9 @@ static void rows_read(Chapter *chapter)
         };
         into->brute = chapter_tells(chapter, "brute", into->technique, false);
         into->curve = text_format("%s%s", into->technique, into->brute ? " (brute force)" : "");
+        const char *same = chapter_told(chapter, "same");
+        into->problem = same ? setting_of(into->settings, same) : NULL;
+        into->problem = into->problem ? into->problem : text_format("%s", "");
         repeats_read(table, row, into);
     }
 }
@@ -152,6 +155,7 @@ void chapter_free(Chapter *chapter)
     for (size_t i = 0; i < chapter->row_count; i++) {
         free(chapter->rows[i].repeats);
         free(chapter->rows[i].curve);
+        free(chapter->rows[i].problem);
     }
     free(chapter->rows);
     free(chapter->folder);

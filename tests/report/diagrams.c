@@ -96,7 +96,7 @@ static char *error_text(const Compared *c)
 {
     return c->reach == MEASURE_NOT_REACHED
                ? text_format("not reached")
-               : text_format("%s%.3g", c->reach == MEASURE_BOUND ? "≤ " : "", c->value);
+               : text_format("%s%.3g", c->reach == MEASURE_BOUND && c->value > 0 ? "≤ " : "", c->value);
 }
 
 static void compared_write(Csv *csv, const char *technique, const SweepRow *brute, const Compared *c)
@@ -113,6 +113,28 @@ static void compared_write(Csv *csv, const char *technique, const SweepRow *brut
     free(value);
     free(least);
     free(most);
+}
+
+// The curve's points that pose the same problem as the row; the count.
+static size_t points_like(const Curve *curve, const SweepRow *row, CurvePoint *points)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < curve->count; i++)
+        if (strcmp(curve->rows[i]->problem, row->problem) == 0)
+            points[count++] = curve->points[i];
+    return count;
+}
+
+static Compared compare(const Curve *brute, const Curve *other, const SweepRow *row, bool equal_time)
+{
+    CurvePoint *of_brute = memory_new(brute->count + other->count, sizeof *of_brute, "comparison"),
+               *of_other = of_brute + brute->count;
+    size_t brute_count = points_like(brute, row, of_brute), other_count = points_like(other, row, of_other);
+    Compared compared = equal_time
+                            ? measure_error_at(of_other, other_count, row->ms)
+                            : measure_speed_up(of_brute, brute_count, of_other, other_count, row->error);
+    free(of_brute);
+    return compared;
 }
 
 // One line a setting of brute force, one column a technique.
@@ -142,9 +164,7 @@ static void comparison_write(FILE *page, const char *folder, const char *name, c
         page_text(page, row->settings);
         fprintf(page, "</td><td>%.3g</td><td>%.3g</td>", row->error, row->ms);
         for (size_t k = 1; k < count; k++) {
-            Compared c = equal_time ? measure_error_at(curves[k].points, curves[k].count, row->ms)
-                                    : measure_speed_up(brute->points, brute->count, curves[k].points,
-                                                       curves[k].count, row->error);
+            Compared c = compare(brute, &curves[k], row, equal_time);
             compared_write(csv, curves[k].name, row, &c);
             char *text = equal_time ? error_text(&c) : speed_up_text(&c);
             fputs("<td>", page);
@@ -198,7 +218,7 @@ static void group_write(FILE *page, const char *folder, const char *label, const
 void diagrams_write(FILE *page, const char *folder, const char *label, const SweepRow *rows, size_t count,
                     const Machine *machine)
 {
-    const SweepRow **group = memory_new(count + 1, sizeof *group, "a diagram's rows");
+    const SweepRow **group = memory_new(count + 1, sizeof(SweepRow *), "a diagram's rows");
     for (size_t first = 0; first < count; first++)
         if (group_begins(rows, count, first, false)) {
             size_t members = group_of(rows, count, first, false, group);

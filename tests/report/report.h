@@ -31,7 +31,8 @@ typedef struct SweepRow {
     double *repeats; // of ms
     size_t repeat_count;
     bool brute;
-    char *curve; // as the diagram's key names it
+    char *curve;   // as the diagram's key names it
+    char *problem; // value of the setting that poses another problem (report.txt: same KEY), or ""
 } SweepRow;
 
 typedef struct Chapter {

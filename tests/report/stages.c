@@ -146,7 +146,7 @@ static void budget_group(FILE *page, const Chapter *chapter, const SweepRow **gr
 
 void budget_write(FILE *page, const Chapter *chapter)
 {
-    const SweepRow **group = memory_new(chapter->row_count + 1, sizeof *group, "error budget");
+    const SweepRow **group = memory_new(chapter->row_count + 1, sizeof(SweepRow *), "error budget");
     bool headed = false;
     for (size_t i = 0; i < chapter->row_count; i++) {
         char *oracle = oracle_of(&chapter->rows[i]);

@@ -69,7 +69,8 @@ void plans_write(FILE *page, const Chapter *chapter)
         fputs("<p class=\"quiet\">No plan.</p>\n", page);
         return;
     }
-    fputs("<p class=\"quiet\">Each plan ran twice, the second time with --everything. A pass stands here if "
+    fputs("<p class=\"quiet\">Each plan ran twice, the second time with --everything; its milliseconds are "
+          "those of one frame, its counts are exact. A pass stands here if "
           "it was left out, if it left out a "
           "part of its work, or if its counts differ.</p>\n",
           page);

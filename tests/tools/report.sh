@@ -8,6 +8,7 @@
 #   family  NAME                                  techniques that share diagrams
 #   brute   TECHNIQUE                             what every other is compared with
 #   metric  NAME                                  metrics to draw (default: all)
+#   same    KEY                                   a setting that poses another problem: techniques are compared at equal values of it only
 #   order   TECHNIQUE METRIC EXPECTED [SCENE]     the order that theory expects
 #   plan    OPTIONS                               a plan beside that of each default scene
 #   limit   NAME OPTIONS                          a technique at its limit: all pairs of these pictures are compared (no comma in NAME)
@@ -64,17 +65,18 @@ plan_rows='.scene as $scene | .passes[] | [$scene, $options, $everything, .name,
 work()
 {
     into=$2 options=$3 limit=$4
+    # shellcheck disable=SC2086 # options are words
     case $1 in
-        # shellcheck disable=SC2086
         sweep) timeout --foreground -k 5 "$limit" "$program" $options --size "$size" --sweep "$into" ;;
-        # shellcheck disable=SC2086 # status 1 with a file: a case failed, and its row says so
-        stability) timeout --foreground -k 5 "$limit" "$program" $options --size "$size" --stability "$into"; status=$?; [ $status -eq 1 ] && [ -f "$into" ] && status=0; return $status ;;
-        # shellcheck disable=SC2086
+        stability)
+            timeout --foreground -k 5 "$limit" "$program" $options --size "$size" --stability "$into"
+            status=$?
+            [ $status -eq 1 ] && [ -f "$into" ] || return $status # a case that fails has a row that says so
+            ;;
         limit) timeout --foreground -k 5 "$limit" "$program" --size "$size" $options --out "$into" ;;
         plan)
             everything=no
             case " $options " in *' --everything '*) everything=yes ;; esac
-            # shellcheck disable=SC2086
             timeout --foreground -k 5 "$limit" "$program" --size "$size" $options --plan --json >"$into.json" || return
             jq -r --arg options "${options% --everything}" --arg everything $everything "$plan_rows" "$into.json" >"$into.tmp" && mv "$into.tmp" "$into"
             ;;
@@ -86,7 +88,6 @@ table()
 {
     to=$1
     shift
-    rm -f "$to"
     [ $# -gt 0 ] || return 0
     {
         sed -n '/^#/!q; s/^# command: .*/# command: make report/; p' "$1"
@@ -119,8 +120,8 @@ for chapter in "$@"; do
     count=$(grep -c . "$rows/jobs.txt") number=0
     begun=$(date +%s)
     : >"$rows/status.txt"
-    : >"$folder/limits.txt"
-    sweep='' stability='' plan=''
+    : >"$rows/limits.txt"
+    sweep='' stability='' plan='' limits=''
     while IFS=$tab read -r kind file label options <&3; do
         number=$((number + 1))
         spent=$(($(date +%s) - begun))
@@ -151,19 +152,20 @@ for chapter in "$@"; do
             sweep) sweep="$sweep $rows/$file" ;;
             stability) stability="$stability $rows/$file" ;;
             plan) plan="$plan $rows/$file" ;;
-            limit) cp "$rows/$file" "$folder/$file" && printf '%s\t%s\t%s\n' "${label#limit }" "$file" "$options" >>"$folder/limits.txt" ;;
+            limit) limits="$limits $rows/$file"; printf '%s\t%s\t%s\n' "${label#limit }" "$file" "$options" >>"$rows/limits.txt" ;;
         esac
     done 3<"$rows/jobs.txt"
+    find "$folder" -maxdepth 1 -type f ! -name list.txt -delete # what an earlier run drew, perhaps at another size
+    # shellcheck disable=SC2086
+    cp "$rows/status.txt" "$rows/limits.txt" $limits "$folder" || exit 1
     # shellcheck disable=SC2086
     table "$folder/sweep.csv" $sweep
     # shellcheck disable=SC2086
     table "$folder/stability.csv" $stability
-    rm -f "$folder/plan.csv"
     if [ -n "$plan" ]; then
         # shellcheck disable=SC2086
         { echo scene,options,everything,pass,ran,ms,skipped,of,counts,reason; cat $plan; } >"$folder/plan.csv.tmp" && mv "$folder/plan.csv.tmp" "$folder/plan.csv"
     fi
-    cp "$rows/status.txt" "$folder/status.txt"
 done
 [ -n "$names" ] || { echo "report: no chapter" >&2; exit 1; }
 # shellcheck disable=SC2086
