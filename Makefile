@@ -94,6 +94,15 @@ $(BUILD)/only/test_$(firstword $(subst _, ,$(1)))%: $(filter-out %/main.c.o,$(ca
 endef
 $(foreach c,$(CHAPTERS),$(eval $(call CHAPTER,$(c))))
 
+# The page of make report, of several files.
+REPORT  := $(wildcard tests/report/*.c)
+SOURCES += $(REPORT)
+TOOLS   += $(BUILD)/report
+$(BUILD)/report: $(call objects,tests/report/*.c) $(BUILD)/libcommon.a
+	$(call LINK)
+$(BUILD)/only/test_report: | $(BUILD)/report
+-include $(patsubst %.c,$(OBJ)/%.c.d,$(REPORT))
+
 # The proof that gl and shader stand alone: nothing else is linked.
 $(BUILD)/triangle: $(OBJ)/tests/triangle.c.o $(call objects,common/base*.c common/gl*.c common/shader*.c)
 	$(call LINK)
@@ -222,9 +231,11 @@ pictures: $(PROGRAMS) ## render the lessons' pictures (chapters/NN_name/pictures
 	@for chapter in $(CHAPTERS); do sh tests/tools/pictures.sh $(BUILD)/$$chapter chapters/$$chapter || exit 1; done
 figures: $(PROGRAMS) $(BUILD)/figure ## measure each chapter's sweep and stability table and draw them (chapters/NN_name/figures.txt)
 	@for chapter in $(CHAPTERS); do sh tests/tools/figures.sh $(BUILD) $$chapter || exit 1; done
+report: $(PROGRAMS) $(BUILD)/report ## measure every chapter, at most 10 minutes each, write out/report/index.html; goes on where it stopped. QUICK=1: 5 minutes in all, FULL=1: the widest
+	@sh tests/tools/report.sh $(BUILD) out/report chapters $(CHAPTERS)
 
 # --- for those who change the code -------------------------------------------------------------------------------------------
-FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch] tests/grade/*.[ch] solutions/*/*.[ch]))
+FORMATTED := $(filter-out common/gl_functions.h,$(wildcard common/*.[ch] common/*.cpp chapters/*/*.[ch] tests/*.[ch] tests/tools/*.[ch] tests/grade/*.[ch] tests/report/*.[ch] solutions/*/*.[ch]))
 format: ## clang-format every C and C++ file in place
 	clang-format -i $(FORMATTED)
 lint: compile_commands.json ## format, clang-tidy, cppcheck, include edges, line counts, unused shaders and functions
@@ -238,6 +249,6 @@ help: ## this list
 	@awk -f tests/tools/help.awk $(firstword $(MAKEFILE_LIST))
 	@for chapter in $(CHAPTERS); do printf '  %-16s build and open chapters/%s (ARGS="--help" lists its options)\n' $${chapter%%_*} $$chapter; done
 
--include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c))
+-include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c tests/report/*.c))
 .PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
-  grade test-exercise-mutants margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures format lint clean help FORCE
+  grade test-exercise-mutants margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures report format lint clean help FORCE

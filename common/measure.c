@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 #include <time.h>
 
+#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_statistics_double.h>
 
@@ -30,24 +31,34 @@ Statistics measure_statistics(const double *values, size_t count)
     return statistics;
 }
 
-double measure_order(const double *x, const double *y, size_t count)
+OrderFit measure_order_fit(const double *x, const double *y, size_t count)
 {
-    double *logs = memory_new(2 * count, sizeof *logs, "order"), *log_y = logs + count;
-    size_t used = 0;
+    double *logs = memory_new(2 * count + 1, sizeof *logs, "order"), *log_y = logs + count;
+    OrderFit fit = {NAN, NAN, NAN, 0};
     bool different = false;
     for (size_t i = 0; i < count; i++)
         if (x[i] > 0.0 && y[i] > 0.0 && isfinite(x[i]) && isfinite(y[i])) {
-            logs[used] = log(x[i]);
-            log_y[used] = log(y[i]);
-            different |= logs[used] != logs[0];
-            used++;
+            logs[fit.used] = log(x[i]);
+            log_y[fit.used] = log(y[i]);
+            different |= logs[fit.used] != logs[0];
+            fit.used++;
         }
-    double constant, slope = NAN, covariance[3], residual;
+    double constant, covariance[3], residual;
     if (different)
-        gsl_fit_linear(logs, 1, log_y, 1, used, &constant, &slope, &covariance[0], &covariance[1],
+        gsl_fit_linear(logs, 1, log_y, 1, fit.used, &constant, &fit.slope, &covariance[0], &covariance[1],
                        &covariance[2], &residual);
+    if (different && fit.used > 2) {
+        double half = gsl_cdf_tdist_Pinv(0.975, (double)fit.used - 2.0) * sqrt(covariance[2]);
+        fit.least = fit.slope - half;
+        fit.most = fit.slope + half;
+    }
     free(logs);
-    return slope;
+    return fit;
+}
+
+double measure_order(const double *x, const double *y, size_t count)
+{
+    return measure_order_fit(x, y, count).slope;
 }
 
 size_t measure_peak_bytes(void)

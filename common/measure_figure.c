@@ -92,13 +92,60 @@ static void run_gnuplot(FILE *script, const char *path)
     free(command);
 }
 
-void measure_figure(const char *path, const char *title, const char *metric, const FigurePoint *points,
-                    size_t count, const Machine *machine)
+// A script begun: terminal, title and output; what it draws goes to *temporary first.
+static FILE *figure_begin(const char *path, const char *title, const char *metric, const char **temporary)
 {
     const char *ending = strrchr(path, '.');
     bool svg = ending && strcmp(ending, ".svg") == 0;
     if (!svg && !(ending && strcmp(ending, ".png") == 0))
         fail_request("%s: a figure's name must end in .svg or .png", path);
+    FILE *script = tmpfile();
+    if (!script)
+        fail_work("%s: cannot be drawn: %s", path, strerror(errno));
+    *temporary = file_begin(path);
+    fprintf(
+        script,
+        "set encoding utf8\nset terminal %s size 820,600 font 'sans,12' background rgb 'white'\nset output ",
+        svg ? "svg" : "pngcairo");
+    put_quoted(script, *temporary);
+    fputs("\nset title ", script);
+    put_quoted(script, title);
+    fputs(" noenhanced\nset ylabel ", script);
+    put_quoted(script, metric);
+    fputs(" noenhanced\nset bmargin 9\nset key outside right top Left reverse samplen 2 noenhanced\n"
+          // Okabe and Ito's colours, told apart by the colour-blind; shapes tell them apart in grey
+          "colours = '#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9 #000000'\n"
+          "colour(k) = word(colours, k % 7 + 1)\nshape(k) = 5 + 2 * (k % 5)\n",
+          script);
+    return script;
+}
+
+static void put_machine(FILE *script, const Machine *machine)
+{
+    const char *const *line = (const char *const *)machine->lines;
+#define LINE(i) (line[i] ? "; " : ""), (line[i] ? line[i] : "")
+    put_note(script, 0, text_format("%s%s%s%s", LINE(0), LINE(1)));
+    put_note(script, 1, text_format("%s%s%s%s%s%s", LINE(2), LINE(3), LINE(5)));
+    put_note(script, 2, text_format("%s%s", LINE(4)));
+}
+
+static void figure_end(FILE *script, const char *path, const char *temporary)
+{
+    fputs("set output\n", script);
+    run_gnuplot(script, path);
+    fclose(script);
+    size_t bytes = 0; // gnuplot does not notice a full disk: look for the file's own end
+    char *drawing = file_read(temporary, &bytes);
+    const char *end = strcmp(strrchr(path, '.'), ".svg") == 0 ? "</svg>" : "IEND";
+    if (!drawing || bytes < 16 || !memmem(drawing + bytes - 16, 16, end, strlen(end)))
+        fail_work("%s: cannot be written: the drawing is not whole (is the disk full?)", path);
+    free(drawing);
+    file_commit(temporary);
+}
+
+void measure_figure(const char *path, const char *title, const char *metric, const FigurePoint *points,
+                    size_t count, const Machine *machine)
+{
     FigurePoint *finite = memory_new(count, sizeof *finite, "figure");
     size_t drawn = 0;
     for (size_t i = 0; i < count; i++)
@@ -107,53 +154,58 @@ void measure_figure(const char *path, const char *title, const char *metric, con
     if (!drawn)
         fail_work("%s: cannot be drawn: none of %zu points has a finite time and error", path, count);
 
-    FILE *script = tmpfile();
-    if (!script)
-        fail_work("%s: cannot be drawn: %s", path, strerror(errno));
-    const char *temporary = file_begin(path);
-    fprintf(
-        script,
-        "set encoding utf8\nset terminal %s size 820,600 font 'sans,12' background rgb 'white'\nset output ",
-        svg ? "svg" : "pngcairo");
-    put_quoted(script, temporary);
-    fputs("\nset title ", script);
-    put_quoted(script, title);
-    fputs(" noenhanced\nset ylabel ", script);
-    put_quoted(script, metric);
-    fputs(" noenhanced\nset xlabel 'run time of the technique, ms (median; bars: least to most)'\n"
-          "set logscale xy\nset format x '%g'\nset format y '10^{%L}'\nset bmargin 9\nset errorbars small\n"
-          "set grid xtics ytics mxtics mytics lt 1 lc rgb '#cccccc', lt 1 lc rgb '#eeeeee'\nset key outside "
-          "right top "
-          "noenhanced\n"
-          // Okabe and Ito's colours, told apart by the colour-blind; shapes tell them apart in grey
-          "colours = '#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9 #000000'\n"
-          "colour(k) = word(colours, k % 7 + 1)\nshape(k) = 5 + 2 * (k % 5)\n",
+    const char *temporary;
+    FILE *script = figure_begin(path, title, metric, &temporary);
+    fputs("set xlabel 'run time of the technique, ms (median; bars: least to most)'\n"
+          "set logscale xy\nset format x '%g'\nset format y '10^{%L}'\nset errorbars small\n"
+          "set grid xtics ytics mxtics mytics lt 1 lc rgb '#cccccc', lt 1 lc rgb '#eeeeee'\n",
           script);
     put_data(script, finite, drawn);
-    const char *const *line = (const char *const *)machine->lines;
-#define LINE(i) (line[i] ? "; " : ""), (line[i] ? line[i] : "")
-    put_note(script, 0, text_format("%s%s%s%s", LINE(0), LINE(1)));
-    put_note(script, 1, text_format("%s%s%s%s%s%s", LINE(2), LINE(3), LINE(5)));
-    put_note(script, 2, text_format("%s%s", LINE(4)));
+    put_machine(script, machine);
     if (drawn < count)
         put_note(script, 4, text_format("%zu points are not finite and left out", count - drawn));
-    fputs("plot $front with lines lw 7 lc rgb '#d0d0d0' title 'Pareto front', "
+    fputs("plot $front with linespoints lw 7 pt 7 ps 2.2 lc rgb '#d0d0d0' title 'Pareto front', "
           "for [k=0:|name|-1] $points index k using 1:2 with lines lw 1.5 lc rgb colour(k) notitle, "
           "for [k=0:|name|-1] $points index k using 1:2:3:4 with xerrorbars pt 0 lc rgb colour(k) notitle, "
           "for [k=0:|name|-1] $points index k using 1:($5 > 0 ? NaN : $2) with points pt shape(k) lc rgb "
           "colour(k) title name[k+1], "
           "for [k=0:|name|-1] $points index k using 1:($5 > 0 ? $2 : NaN) with points pt shape(k)-1 lc rgb "
-          "colour(k) notitle\n"
-          "set output\n",
+          "colour(k) notitle\n",
           script);
-    run_gnuplot(script, path);
-    fclose(script);
     free(finite);
-    size_t bytes = 0; // gnuplot does not notice a full disk: look for the file's own end
-    char *drawing = file_read(temporary, &bytes);
-    const char *end = svg ? "</svg>" : "IEND";
-    if (!drawing || bytes < 16 || !memmem(drawing + bytes - 16, 16, end, strlen(end)))
-        fail_work("%s: cannot be written: the drawing is not whole (is the disk full?)", path);
-    free(drawing);
-    file_commit(temporary);
+    figure_end(script, path, temporary);
+}
+
+void measure_bars(const char *path, const char *title, const char *metric, const FigureBars *bars,
+                  const Machine *machine)
+{
+    const char *temporary;
+    FILE *script = figure_begin(path, title, metric, &temporary);
+    fputs(
+        "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.85 border lc rgb "
+        "'white'\nset boxwidth 0.6\nset yrange [0:*]\nset grid ytics lt 1 lc rgb '#cccccc'\nset xtics "
+        "noenhanced\n"
+        "$bars << END_OF_BARS\n",
+        script);
+    for (size_t i = 0; i < bars->bar_count; i++) {
+        fputc('"', script); // as put_quoted, but a data block's quotes are double and cannot be escaped
+        for (const char *c = bars->bars[i]; *c; c++)
+            if (*c == '\n')
+                fputs("\\n", script);
+            else
+                fputc(iscntrl((unsigned char)*c) || *c == '"' || *c == '\\' ? ' ' : *c, script);
+        fputc('"', script);
+        for (size_t part = 0; part < bars->part_count; part++)
+            fprintf(script, " %.9g", bars->values[i * bars->part_count + part]);
+        fputc('\n', script);
+    }
+    fputs("END_OF_BARS\n", script);
+    put_machine(script, machine);
+    for (size_t part = 0; part < bars->part_count; part++) {
+        fprintf(script, "%s$bars using %zu:xtic(1) lc rgb colour(%zu) title ", part ? ", " : "plot ",
+                part + 2, part);
+        put_quoted(script, bars->parts[part]);
+    }
+    fputc('\n', script);
+    figure_end(script, path, temporary);
 }

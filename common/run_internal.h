@@ -58,6 +58,7 @@ struct Run {
     char *out_made; // *out where it is nobody's word
     bool window, plan, json, everything, list, help, step_given;
     int frames; // 0: not given
+    int row;    // of the table, from 1; 0: all
     int step_count;
     uint64_t seed;
     RunPath path;

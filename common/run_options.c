@@ -10,9 +10,10 @@
 // The keys begin above every character, so no option has a short form: those that keep their text, those that are set, and the others.
 enum { SCENE = 256, OUT, TRUTH, SWEEP, STABILITY, SHADERS };
 enum { WINDOW = SHADERS + 1, PLAN, JSON, EVERYTHING, LIST, HELP };
-enum { SIZE = HELP + 1, STEP, SET, FRAMES, SEED, PATH };
+enum { SIZE = HELP + 1, STEP, SET, FRAMES, SEED, PATH, ROW };
 enum { SIZE_MOST = 16384 };     // GL 4.5 promises textures of this side
 enum { FRAMES_MOST = 1000000 }; // 4.6 hours at 1/60 s
+enum { ROWS_MOST = 1000000 };
 
 // clang-format off
 static const struct argp_option options[] = {
@@ -25,11 +26,12 @@ static const struct argp_option options[] = {
     {"truth", TRUTH, "FILE", 0, "write the truth for the same view (.exr, .png)", 0},
     {"sweep", SWEEP, "FILE.csv", 0, "write error against run time", 0},
     {"stability", STABILITY, "FILE.csv", 0, "write the stiff and extreme cases; goes with --sweep, which runs first", 0},
+    {"row", ROW, "N", 0, "with --sweep or --stability: that row alone, as --list numbers them", 0},
     {"plan", PLAN, NULL, 0, "print which passes ran, their ms and counts, what was left out and why", 0},
     {"json", JSON, NULL, 0, "with --plan: as JSON", 0},
     {"everything", EVERYTHING, NULL, 0, "leave nothing out", 0},
     {"shaders", SHADERS, "DIR", 0, "look for shaders there first", 0},
-    {"list", LIST, NULL, 0, "list scenes, steps and parameters, tabs between the fields", 0},
+    {"list", LIST, NULL, 0, "list scenes, steps, parameters and the tables' rows, tabs between the fields", 0},
     {"frames", FRAMES, "N", 0, "so many frames at 1/60 s (default: 1; 16 along --path; a window runs until closed)", 0},
     {"seed", SEED, "N", 0, "what is random is drawn from it (default: 1)", 0},
     {"path", PATH, "subpixel|orbit|light|deform", 0, "what moves over the frames; with --sweep it adds the metric flicker", 0},
@@ -152,6 +154,8 @@ static error_t take(int key, char *text, struct argp_state *state)
         run->frames = (int)whole_parse("--frames", text, 1, FRAMES_MOST);
     } else if (key == SEED) {
         run->seed = whole_parse("--seed", text, 0, UINT64_MAX);
+    } else if (key == ROW) {
+        run->row = (int)whole_parse("--row", text, 1, ROWS_MOST);
     } else if (key == PATH) {
         run->path = (RunPath)(1 + run_word_find("subpixel orbit light deform", text));
         if (run->path == RUN_STILL)
@@ -190,6 +194,15 @@ static void list_print(const Run *run)
         free(range);
         free(text);
     }
+    const struct {
+        const char *kind;
+        const RunRow *rows;
+    } tables[] = {{"sweep", about->sweep}, {"stability", about->stability}};
+    for (int i = 0; i < 2; ++i)
+        for (const RunRow *row = tables[i].rows; row && row->name; ++row)
+            printf("%s\t%td\t%s\t%s\t%s\t%s\n", tables[i].kind, row - tables[i].rows + 1, row->name,
+                   row->scene ? row->scene : "-", row->settings && *row->settings ? row->settings : "-",
+                   row->size ? row->size : "-");
 }
 
 // What does not go together. Two outputs to one file would leave the later one only.
@@ -207,6 +220,8 @@ static void together_check(const Run *run)
         {table && run->step_given, "--step: does not go with --sweep or --stability, which run every pass"},
         {run->window && run->truth, "--truth: does not go with --window; use --out beside it"},
         {run->window && run->plan, "--plan: does not go with --window, which has a key for it"},
+        {run->row && run->sweep && run->stability, "--row: names a row of --sweep or of --stability; give one of them"},
+        {run->row && !table, "--row: goes with --sweep or --stability only"},
         {table && run->frames && !run->path, "--frames: with --sweep it needs --path"},
         {run->sweep && run->path && run->frames == 1, "--frames 1: flicker along --path needs 2 frames or more"},
         {run->stability && run->path, "--path: does not go with --stability, whose cases are single pictures"},

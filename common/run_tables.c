@@ -6,7 +6,7 @@
 static const char *const task_names[] = {[RUN_SWEEP] = "sweep row", [RUN_STABILITY] = "stability case"};
 static const char *const headers[] = {
     [RUN_SWEEP] = "chapter,technique,scene,width,height,settings,ms_technique,ms_min,ms_max,ms_frame,"
-                  "reference,metric,error",
+                  "reference,metric,error,ms_repeats",
     [RUN_STABILITY] = "chapter,case,quantity,expected,got,error,tolerance,nonfinite,verdict"};
 
 void run_row_apply(const Run *run, const RunRow *row, RunValue *values)
@@ -22,9 +22,11 @@ void run_row_apply(const Run *run, const RunRow *row, RunValue *values)
     free(text);
 }
 
-// Whether --set and --scene leave this row: it sets no parameter to another value than --set does.
-static bool row_taken(const Run *run, const RunRow *row)
+// Whether --row, --set and --scene leave this row: it sets no parameter to another value than --set does.
+static bool row_taken(const Run *run, const RunRow *table, const RunRow *row)
 {
+    if (run->row && row - table + 1 != run->row)
+        return false;
     bool taken = !run->scene_given || !row->scene || strcmp(run->scene_given, row->scene) == 0;
     RunValue *values = memory_new(run->parameter_count, sizeof *values, "a row's values");
     run_row_apply(run, row, values);
@@ -48,19 +50,19 @@ void run_tables_open(Run *run)
     const char *const given[] = {run->scene_given, NULL}, *const *scenes =
                                                               run->scene_given ? given : run->about->scenes;
     for (const RunRow *row = run->about->sweep; run->sweep && row->name; ++row)
-        for (const char *const *scene = scenes; *scene && row_taken(run, row); ++scene) {
+        for (const char *const *scene = scenes; *scene && row_taken(run, run->about->sweep, row); ++scene) {
             settings_add(run, RUN_SWEEP, row, *scene);
             if (row->scene)
                 break;
         }
     if (run->sweep && !run->setting_count)
-        fail_request("--sweep: --set or --scene leaves no row of this chapter's sweep");
+        fail_request("--sweep: --row, --set or --scene leaves no row of this chapter's sweep");
     size_t before = run->setting_count;
     for (const RunRow *row = run->about->stability; run->stability && row->name; ++row)
-        if (row_taken(run, row))
+        if (row_taken(run, run->about->stability, row))
             settings_add(run, RUN_STABILITY, row, first);
     if (run->stability && run->setting_count == before)
-        fail_request("--stability: --set or --scene leaves no case of this chapter's table");
+        fail_request("--stability: --row, --set or --scene leaves no case of this chapter's table");
     const char *paths[] = {[RUN_SWEEP] = run->sweep, [RUN_STABILITY] = run->stability};
     if (!run->setting_count) {
         settings_add(run, RUN_PICTURE, NULL, first);
@@ -113,18 +115,32 @@ static char *settings_text(const Run *run)
     return all;
 }
 
+// The technique's repeats in the order of their running, as "1.2 1.1 1.3", so that whoever compares two medians can say how sure that is.
+static char *repeats_text(const Run *run)
+{
+    char *all = NULL;
+    size_t bytes = 0;
+    FILE *to = open_memstream(&all, &bytes);
+    for (size_t i = 0; i < run->repeats; ++i)
+        fprintf(to, "%s%.4f", i ? " " : "", run->technique_ms[i]);
+    fclose(to);
+    return all;
+}
+
 void run_error(Run *run, const char *reference, const char *metric, double error)
 {
     if (isnan(error))
         fail_work("sweep row %s, scene %s: %s is not a number", run_case(run), run->scene_name, metric);
     Statistics technique = measure_statistics(run->technique_ms, run->repeats);
     Statistics frame = measure_statistics(run->frame_ms, run->repeats);
-    char *settings = settings_text(run);
+    char *settings = settings_text(run), *repeats = repeats_text(run);
     row_write(run, RUN_SWEEP,
-              text_format("%s\t%s\t%s\t%d\t%d\t%s\t%.4f\t%.4f\t%.4f\t%.4f\t%s\t%s\t%.9g", run->about->chapter,
-                          run_case(run), run->scene_name, run->width, run->height, settings, technique.median,
-                          technique.least, technique.most, frame.median, reference, metric, error));
+              text_format("%s\t%s\t%s\t%d\t%d\t%s\t%.4f\t%.4f\t%.4f\t%.4f\t%s\t%s\t%.9g\t%s",
+                          run->about->chapter, run_case(run), run->scene_name, run->width, run->height,
+                          settings, technique.median, technique.least, technique.most, frame.median,
+                          reference, metric, error, repeats));
     free(settings);
+    free(repeats);
 }
 
 void run_check(Run *run, const char *quantity, double expected, double got, double tolerance, long nonfinite)

@@ -16,12 +16,15 @@ typedef struct CsvTable {
     size_t columns, rows; // the header is row 0; field (row, column) is fields[row * columns + column]
 } CsvTable;
 
-// Ends the program where the file cannot be read or a row has not as many fields as the header.
+// Ends the program where the file cannot be read, is cut off, or a row has not as many fields as the header.
 static inline CsvTable csv_table_read(const char *path)
 {
-    CsvTable table = {.text = file_read(path, NULL)};
+    size_t bytes = 0;
+    CsvTable table = {.text = file_read(path, &bytes)};
     if (!table.text)
         fail_work("%s: cannot be read: %s", path, strerror(errno));
+    if (bytes && table.text[bytes - 1] != '\n')
+        fail_work("%s: the last row is cut off: no line break ends it", path);
     char *in = table.text;
     while (*in == '#') {
         table.comments = memory_grow(table.comments, table.comment_count + 1, sizeof *table.comments, path);

@@ -73,7 +73,14 @@ Test(run, wrong_request_is_one_exact_line)
         {"--window --truth t.exr", "--truth: does not go with --window; use --out beside it"},
         {"--sweep a.csv --frames 3", "--frames: with --sweep it needs --path"},
         {"--sweep a.csv --set method=raster --set resolution=99",
-         "--sweep: --set or --scene leaves no row of this chapter's sweep"},
+         "--sweep: --row, --set or --scene leaves no row of this chapter's sweep"},
+        {"--sweep a.csv --row 4", "--sweep: --row, --set or --scene leaves no row of this chapter's sweep"},
+        {"--stability a.csv --row 3",
+         "--stability: --row, --set or --scene leaves no case of this chapter's table"},
+        {"--row 0 --sweep a.csv", "--row 0: a whole number from 1 to 1000000 is needed"},
+        {"--row 1", "--row: goes with --sweep or --stability only"},
+        {"--row 1 --sweep a.csv --stability b.csv",
+         "--row: names a row of --sweep or of --stability; give one of them"},
         {"--out a%s.png",
          "--out a%s.png: one %d or %04d stands for the frame's number, nothing else may follow a %"},
         {"--out a%d%n.png",
@@ -124,7 +131,10 @@ Test(run, list_is_lines_of_fields_between_tabs)
                                         "parameter\tresolution\t8..512 voxels\t64\tvoxels a side\n",
                                         "parameter\tshift\tx,y,z -1..1 m\t0,0.25,0\ta vector\n",
                                         "parameter\teye\tx,y,z -1e+08..1e+08 m\tscene\t",
-                                        "parameter\tlight\t0..1e+06\t0\t"};
+                                        "parameter\tlight\t0..1e+06\t0\t",
+                                        "sweep\t2\tbrute\t-\tmethod=raster resolution=16\t-\n",
+                                        "sweep\t3\tours\tlit\tmethod=exact shift=0,0,1\t8x4\n",
+                                        "stability\t2\trough\tdark\tmethod=raster\t16x16\n"};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i)
         cr_expect(strstr(got.out, lines[i]), "no line '%s' in\n%s", lines[i], got.out);
     cr_assert_str_eq(got.trace, "", "work was begun");
@@ -134,9 +144,9 @@ Test(run, help_names_every_option_and_parameter)
 {
     Outcome got = fake_done("--out nowhere/a.png --help");
     static const char *const words[] = {
-        "--scene",  "--size",      "--step", "--set",      "--out",        "--window",    "--truth",
-        "--sweep",  "--stability", "--plan", "--json",     "--everything", "--shaders",   "--list",
-        "--frames", "--seed",      "--path", "resolution", "exposure",     "nothing real"};
+        "--scene",  "--size",      "--step", "--set",  "--out",        "--window",  "--truth",
+        "--sweep",  "--stability", "--plan", "--json", "--everything", "--shaders", "--list",
+        "--frames", "--seed",      "--row",  "--path", "resolution",   "exposure",  "nothing real"};
     for (size_t i = 0; i < sizeof words / sizeof *words; ++i)
         cr_expect(strstr(got.out, words[i]), "no %s in\n%s", words[i], got.out);
 }

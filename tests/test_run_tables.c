@@ -128,16 +128,25 @@ Test(run_tables, sweep_runs_every_row_on_its_scenes_and_writes_medians)
     char *rows = rows_of("s.csv");
     cr_assert_str_eq(line_of(rows, 0),
                      "chapter,technique,scene,width,height,settings,ms_technique,ms_min,ms_max,ms_frame,"
-                     "reference,metric,error",
+                     "reference,metric,error,ms_repeats",
                      "the header");
     cr_assert_eq(count_of(rows, "\n"), 6, "%s", rows);
-    double ms[4];
+    double ms[4], repeats[7];
     char *ours = line_of(rows, 5), tail[64];
     cr_assert_eq(sscanf(ours,
                         "99_fake,ours,lit,8,4,\"method=exact;alpha=0.25;shift=0,0,1\",%lf,%lf,%lf,%lf,%63s",
                         ms, ms + 1, ms + 2, ms + 3, tail),
                  5, "%s", ours);
+    char *last = strrchr(tail, ',');
+    cr_assert(last, "%s", ours);
+    *last = '\0';
     cr_assert_str_eq(tail, "converged,wrong,0.015625", "%s", ours);
+    const char *text = strrchr(ours, ',') + 1;
+    for (int i = 0; i < 7; ++i)
+        repeats[i] = strtod(text, (char **)&text);
+    Statistics of = measure_statistics(repeats, 7);
+    cr_assert(*text == '\0' && of.median == ms[0] && of.least == ms[1] && of.most == ms[2],
+              "seven repeats, of which median, least and most are told: %s", ours);
     // The chapter sleeps 2 ms in its own pass and 3 in the map; a sleep is never shorter.
     cr_assert(ms[1] >= 2 && ms[1] <= ms[0] && ms[0] <= ms[2], "min, median, max: %s", ours);
     cr_assert_geq(ms[3], ms[1] + 3, "the frame holds the map too: %s", ours);
@@ -152,6 +161,16 @@ Test(run_tables, set_and_scene_leave_out_rows_that_say_otherwise)
     cr_assert(strstr(got.trace, "setting brute dark raster 16 "), "%s", got.trace);
 }
 
+Test(run_tables, row_runs_alone)
+{
+    Outcome got = fake_done("--size 8x8 --sweep s.csv --row 2 --scene dark");
+    cr_assert_eq(count_of(got.trace, "setting "), 1, "%s", got.trace);
+    cr_assert(strstr(got.trace, "setting brute dark raster 16 "), "%s", got.trace);
+    got = fake_done("--size 8x8 --stability t.csv --row 2");
+    cr_assert(count_of(got.trace, "setting ") == 1 && strstr(got.trace, "setting rough dark"), "%s",
+              got.trace);
+}
+
 Test(run_tables, row_that_measures_nothing_is_an_error)
 {
     fake_expect("--size 8x8 --sweep s.csv --set fault=silent", 1,
@@ -164,7 +183,7 @@ Test(run_tables, flicker_is_the_change_that_the_truth_does_not_make)
     Outcome got =
         fake_done("--size 8x8 --sweep s.csv --path orbit --frames 4 --scene lit --set method=exact");
     // The picture stands still while the truth steps by ±2 in every value: rms 2 exactly.
-    cr_assert(strstr(line_of(rows_of("s.csv"), 1), ",truth,flicker,2"), "%s", rows_of("s.csv"));
+    cr_assert(strstr(line_of(rows_of("s.csv"), 1), ",truth,flicker,2,"), "%s", rows_of("s.csv"));
     cr_assert_eq(count_of(got.trace, "truth "), 4, "one truth a frame: %s", got.trace);
     cr_assert_eq(count_of(got.trace, "frame 0\n"), 10, "nine measured, then the path's own first");
     fake_offers_truth = false;
