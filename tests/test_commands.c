@@ -242,7 +242,10 @@ Test(commands, full_device_for_a_picture)
     expect_error("", SMALL "--truth $T/full.exr", 1, WORDS("cannot be written", "No space left"));
 }
 
-// A disk that fills up on the way: a file may grow to 512 bytes and no further.
+// A disk that fills up on the way: a file may grow to 512 bytes and no further. The way is long so that a table with its command in it, even one
+// of a single row, is longer than that.
+#define DOTS      "/./././././././././././././././."
+#define LONG_WAY  DOTS DOTS DOTS DOTS DOTS DOTS DOTS DOTS "/"
 #define FULL_DISK "trap '' XFSZ; ulimit -f 1; MESA_SHADER_CACHE_DISABLE=1"
 Test(commands, full_disk_leaves_the_old_file_and_no_other)
 {
@@ -250,9 +253,12 @@ Test(commands, full_disk_leaves_the_old_file_and_no_other)
     file_write("old.csv", "what was there before");
     expect_error(FULL_DISK, SMALL "--out $T/old.exr", 1, WORDS("/old.exr: cannot be written"));
     expect_error(FULL_DISK, SMALL "--truth $T/old.exr", 1, WORDS("/old.exr: cannot be written"));
-    expect_error(FULL_DISK, "--scene cornell --sweep $T/old.csv", 1, WORDS("/old.csv: cannot be written"));
-    expect_error(FULL_DISK, "--stability $T/old.csv", 1, WORDS("/old.csv: cannot be written"));
-    expect_error(FULL_DISK, "--scene cornell --sweep $T/new.csv", 1, WORDS("/new.csv: cannot be written"));
+    expect_error(FULL_DISK, "--size 8x8 --sweep $T" LONG_WAY "old.csv --row 1", 1,
+                 WORDS("/old.csv: cannot be written"));
+    expect_error(FULL_DISK, "--size 8x8 --stability $T" LONG_WAY "old.csv --row 1", 1,
+                 WORDS("/old.csv: cannot be written"));
+    expect_error(FULL_DISK, "--size 8x8 --sweep $T" LONG_WAY "new.csv --row 1", 1,
+                 WORDS("/new.csv: cannot be written"));
 }
 
 Test(commands, failed_and_interrupted_work_keep_the_old_file)
@@ -275,10 +281,10 @@ Test(commands, failed_and_interrupted_work_keep_the_old_file)
 // --- OpenGL
 Test(commands, shader_that_does_not_compile)
 {
-    file_write("fullscreen.vert", "out vec2 picture_uv;\n\nvoid main()\n{\n    float broken = ;\n}\n");
-    expect_error("", SMALL "--shaders $T --out $T/never.png", 1, WORDS("/fullscreen.vert:5: ", "syntax"));
-    file_write("fullscreen.vert", "void main()\n{\n    missing();\n}\n");
-    expect_error("", SMALL "--shaders $T --out $T/never.png", 1, WORDS("/fullscreen.vert:3: ", "missing"));
+    file_write("gbuffer.vert", "out vec2 unused;\n\nvoid main()\n{\n    float broken = ;\n}\n");
+    expect_error("", SMALL "--shaders $T --out $T/never.png", 1, WORDS("/gbuffer.vert:5: ", "syntax"));
+    file_write("gbuffer.vert", "void main()\n{\n    missing();\n}\n");
+    expect_error("", SMALL "--shaders $T --out $T/never.png", 1, WORDS("/gbuffer.vert:3: ", "missing"));
 }
 
 Test(commands, no_gl_to_be_had)

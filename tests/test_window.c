@@ -143,7 +143,7 @@ Test(window, parameters_are_chosen_and_changed)
     expect_title("show = shaded");
     window_does("key Down"); // before the first choice is the last
     Pixels shown = changed_from(&first, "another way to show voxels");
-    expect_title("show = distance");
+    expect_title("show = mean_normals");
     window_does("key Up");
     changed_from(&shown, "and back");
     expect_title("show = shaded");

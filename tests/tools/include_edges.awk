@@ -37,7 +37,7 @@ function chapter(path) { if (!match(path, /[0-9][0-9]_[a-z0-9_]*/)) return ""; r
     } else {
         if (chapter(name) != "" && chapter(name) != chapter(FILENAME) && FILENAME !~ /(^|\/)tests\//)
             report("a chapter may not include another one's " name)
-        if (name ~ /_internal\.h$/)
+        if (name ~ /_internal\.h$/ && module(name) != module(FILENAME))
             report(name " belongs to its module alone")
         if (FILENAME ~ /(^|\/)shaders\/common\// && name !~ /^common\//)
             report("shaders/common may include shaders/common only, not " name)
