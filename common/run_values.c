@@ -127,6 +127,7 @@ int run_width(const Run *run) { return run->width; }
 int run_height(const Run *run) { return run->height; }
 float run_aspect(const Run *run) { return (float)run->width / (float)run->height; }
 int run_frame_number(const Run *run) { return run->frame < 0 ? 0 : run->frame; }
+bool run_deforming(const Run *run) { return run->path == RUN_DEFORM; }
 const char *run_case(const Run *run) { return run->setting && run->setting->row ? run->setting->row->name : NULL; }
 bool run_measuring_error(const Run *run) { return run->setting->task == RUN_SWEEP; }
 bool run_checking(const Run *run) { return run->setting->task == RUN_STABILITY; }

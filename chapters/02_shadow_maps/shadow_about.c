@@ -169,7 +169,7 @@ const RunAbout shadow_about = {
     .source = "Williams 1978; Gomes 2015, section 2.2; Brabec, Annen and Seidel 2002; Donnelly and Lauritzen "
               "2006; Dachsbacher and "
               "Stamminger 2005",
-    .uses = RUN_USES_CAMERA | RUN_USES_LIGHT,
+    .uses = RUN_USES_CAMERA | RUN_USES_LIGHT | RUN_USES_DEFORM,
     .scenes = scenes,
     .own_scenes = shadow_scenes,
     .parameters = parameters,
