@@ -54,9 +54,24 @@ Test(slow_shadow_program, the_stability_table_passes, .timeout = 120)
     int passed = 0;
     for (const char *line = table; (line = strchr(line, '\n')) != NULL; line++)
         passed += line - table > 5 && strncmp(line - 5, ",pass", 5) == 0;
-    cr_assert_eq(passed, 39, "%d checks pass", passed);
+    cr_assert_eq(passed, 47, "%d checks pass", passed);
     unlink(path);
     free(path);
     free(command);
     free(table);
+}
+Test(slow_shadow_program, a_light_that_grazes_the_picture_asks_for_all)
+{
+    char *plan = plan_of(
+        "--scene plate --step filter --set filter=variance --set resolution=64 --set light_direction=1,0,0",
+        NULL); // its cone touches the floor
+    cr_assert(ran(plan, "depth map") && ran(plan, "moments") && ran(plan, "filter: ask"), "%s", plan);
+    free(plan);
+}
+Test(slow_shadow_program, faces_and_casters_of_views_on_borders_change_no_pixel, .timeout = 120)
+{
+    CHECK_EVERYTHING("--scene edge --step filter --set resolution=128 --set fov_deg=160", "depth map");
+    CHECK_EVERYTHING("--scene plate --step filter --set filter=nearest --set resolution=256 --set fov_deg=1 "
+                     "--set target=3.2,0,3.2",
+                     "casters");
 }

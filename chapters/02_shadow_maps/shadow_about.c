@@ -130,6 +130,10 @@ static const RunRow sweep[] = {
     {                                                                                                        \
         name, scene, settings, "96x96"                                                                       \
     }
+#define BOUNCED(name, scene, settings)                                                                       \
+    {                                                                                                        \
+        name, scene, "trial=bounce samples=400 " settings, "48x48"                                           \
+    }
 static const RunRow stability[] = {
     CASE("plate, spot", "plate", "resolution=2048 filter=nearest"),
     CASE("plate, sun", "plate", "kind=directional resolution=2048 filter=nearest"),
@@ -158,6 +162,11 @@ static const RunRow stability[] = {
     CASE("cube corner", "corner", "resolution=512 filter=pcf radius=2"),
     CASE("cube corner, variance", "corner", "resolution=512 filter=variance radius=2"),
     CASE("paraboloid border", "edge", "map=paraboloid resolution=512 filter=pcf radius=2"),
+    BOUNCED("bounce, room", "room", "reflective_resolution=64"),
+    BOUNCED("bounce, tiny", "tiny_room", "reflective_resolution=64"),
+    BOUNCED("bounce, giant", "giant_room", "reflective_resolution=64"),
+    BOUNCED("bounce, one texel", "room", "reflective_resolution=1"),
+    BOUNCED("bounce, empty", "empty", "reflective_resolution=16"),
     {NULL, NULL, NULL, NULL},
 };
 

@@ -64,7 +64,8 @@ typedef struct Series Series;
 Series *judge_series_new(void); // free() it
 void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *truth, GLuint picture,
                  GLuint all_texels);
-// The checks of a stability case.
-void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint picture);
+// The checks of a stability case; those of a bounce where `reflective` (one light's) is given.
+void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint picture,
+                     const ReflectiveMap *reflective);
 
 #endif
