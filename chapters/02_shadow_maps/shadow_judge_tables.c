@@ -5,17 +5,20 @@
 #include <string.h>
 #include <unistd.h>
 
-// A bounce's truth is noisy: at 256 samples a pixel by some per cent of a pixel's light, by a tenth of that in the mean of a picture.
-enum { BOUNCE_SAMPLES = 256 };
+// A bounce's truth is noisy: at 256 samples a pixel by some per cent of a pixel's light, by a tenth of that in the mean of a picture. From the lights,
+// near surfaces count by 1/r², so that nothing but a held distance and many samples make it smooth: so many of a picture, at least 256 a pixel.
+enum { BOUNCE_SAMPLES = 256, FLUX_SAMPLES_A_PICTURE = 1 << 22 };
 
-Image judge_light(const Asked *asked, const Truth *truth, JudgeLight what)
+Image judge_light(const Asked *asked, const Truth *truth, JudgeLight what, float least_distance)
 {
     const Scene *scene = asked->scene;
     const Camera *camera = &asked->camera;
     const int width = asked->gbuffer->width, height = asked->gbuffer->height;
-    static const TruthPathSettings settings[] = {
+    const int flux_samples = FLUX_SAMPLES_A_PICTURE / (width * height);
+    const TruthPathSettings settings[] = {
         [DIRECT_LIGHT] = {.samples = 1, .bounces = 0},
-        [BOUNCE_UNOCCLUDED] = {.samples = BOUNCE_SAMPLES,
+        [BOUNCE_UNOCCLUDED] = {.samples = flux_samples > BOUNCE_SAMPLES ? flux_samples : BOUNCE_SAMPLES,
+                               .least_distance = least_distance,
                                .bounces = 1,
                                .indirect_alone = true,
                                .bounce = TRUTH_BOUNCE_OF_FLUX_UNOCCLUDED},
@@ -25,7 +28,8 @@ Image judge_light(const Asked *asked, const Truth *truth, JudgeLight what)
     const float view[] = {camera->eye[0],    camera->eye[1],          camera->eye[2], camera->target[0],
                           camera->target[1], camera->target[2],       camera->up[0],  camera->up[1],
                           camera->up[2],     camera->vertical_fov_rad};
-    const int numbers[] = {width, height, (int)what, BOUNCE_SAMPLES};
+    const int numbers[] = {width, height, (int)what, settings[what].samples,
+                           (int)lroundf(1e6f * least_distance)};
     uint64_t inputs = hash_bytes(truth_hash_scene(scene), view, sizeof view);
     char *path = truth_cache_path("02_shadow_maps", hash_bytes(inputs, numbers, sizeof numbers), ".exr");
     Image image;
@@ -115,8 +119,9 @@ void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *trut
     Image got = image_of(picture, width, height);
     if (all_texels) {
         Image converged = image_of(all_texels, width, height);
-        Image own = judge_light(asked, truth, BOUNCE_UNOCCLUDED);
-        Image whole = judge_light(asked, truth, BOUNCE_ALONE);
+        Image own = judge_light(asked, truth, BOUNCE_UNOCCLUDED,
+                                run_chosen(run, "falloff", "clamp") ? (float)run_number(run, "clamp") : 0.0f);
+        Image whole = judge_light(asked, truth, BOUNCE_ALONE, 0);
         light_rows(run, "converged", &got, &converged, "all_texels_");
         light_rows(run, "truth", &got, &own, "own_model_");
         light_rows(run, "truth", &got, &whole, "");
@@ -136,7 +141,7 @@ void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *trut
         const double order = order_of(series, run, asked->scene, j.wrong);
         if (order != 0.0)
             run_error(run, "truth", "order", order);
-        Image direct = judge_light(asked, truth, DIRECT_LIGHT);
+        Image direct = judge_light(asked, truth, DIRECT_LIGHT, 0);
         light_rows(run, "truth", &got, &direct, "");
         image_free(&direct);
     }
@@ -168,7 +173,44 @@ static const double BORDER_PIXELS = 3;
 // Light that is on a shadow's border may count as either: of about 400 border pixels of some 9000 a filter leaves a twentieth's difference.
 static const double BORDER_SHARE = 0.01;
 
-void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint picture)
+// Texels add up in single precision and read solid angles of their own: 24 576 of them leave 1e-5.
+static const double FLUX_SHARE = 1e-4;
+// The mean of 2304 pixels of 400 texels each, and the truth's of 256 samples, both within 1/2 %; light close to the room's edges comes from texels wider
+// than its distance from them.
+static const double MEAN_SHARE = 0.02;
+
+static double mean_red(const Image *image)
+{
+    const int pixels = image->width * image->height;
+    double sum = 0;
+    for (int i = 0; i < pixels; i++)
+        sum += (double)image->pixels[image->channels * i];
+    return sum / pixels;
+}
+
+static void check_bounce(Run *run, const Asked *asked, const Truth *truth, const Image *image,
+                         const ReflectiveMap *map)
+{
+    const long nonfinite = image_count_nonfinite(image);
+    const size_t texels = 6 * (size_t)map->depth.resolution * (size_t)map->depth.resolution;
+    float *flux = memory_new(4 * texels, sizeof *flux, "the reflective map");
+    gl_texture_read(map->flux, 0, GL_RGBA, GL_FLOAT, 4 * texels * sizeof *flux, flux);
+    double sum = 0;
+    for (size_t i = 0; i < texels; i++)
+        sum += (double)flux[4 * i];
+    free(flux);
+    run_check(run, "reflected flux, of 4 pi I rho", 1.0, sum / scenes_reflected_flux(asked->scene),
+              FLUX_SHARE, nonfinite);
+    if (map->depth.resolution == 1)
+        return; // six texels keep the flux, not the picture
+    Image expected = judge_light(asked, truth, BOUNCE_UNOCCLUDED, 0);
+    run_check(run, "mean radiance, of the truth's", 1.0, mean_red(image) / mean_red(&expected), MEAN_SHARE,
+              nonfinite);
+    image_free(&expected);
+}
+
+void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint picture,
+                     const ReflectiveMap *reflective)
 {
     Image image = image_of(picture, asked->gbuffer->width, asked->gbuffer->height);
     const long nonfinite = image_count_nonfinite(&image);
@@ -178,6 +220,11 @@ void judge_stability(Run *run, const Asked *asked, const Truth *truth, GLuint pi
         for (int i = 0; i < 3 * image.width * image.height; i++)
             brightest = fmax(brightest, image.pixels[i]);
         run_check(run, "brightest", 0.0, brightest, 0.0, nonfinite); // nothing reflects
+        image_free(&image);
+        return;
+    }
+    if (reflective && scenes_reflected_flux(asked->scene) > 0) {
+        check_bounce(run, asked, truth, &image, reflective);
         image_free(&image);
         return;
     }

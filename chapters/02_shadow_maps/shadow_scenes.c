@@ -149,6 +149,31 @@ static void make_corner(Scene *scene, uint64_t seed)
     make_ball(scene, vec3_make(1, 1, 1));
 }
 
+// A closed room with a lamp, all lengths `scale` times as long and the lamp scale² times as strong: the same picture.
+static void make_scaled_room(Scene *scene, float scale)
+{
+    mesh_add_box(&scene->mesh, scale * vec3_make(-2, 0, -1.5f), scale * vec3_make(2, 3, 1.5f),
+                 add_stone(scene));
+    add_light(scene, LIGHT_POINT, scale * vec3_make(0.3f, 1.7f, 0.2f), vec3_make(0, -1, 0),
+              10 * scale * scale);
+    scene->camera = camera_at(scale * vec3_make(1.8f, 2.6f, 1.3f), scale * vec3_make(-1, 0.8f, -0.6f), 1.2f);
+}
+static void make_room(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_scaled_room(scene, 1);
+}
+static void make_tiny_room(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_scaled_room(scene, 1e-3f);
+}
+static void make_giant_room(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_scaled_room(scene, 1e6f);
+}
+
 const SceneKind shadow_scenes[] = {
     {"plate", "a plate that floats above a floor under a spot", make_plate},
     {"wall", "a light a millimetre off a wall", make_wall},
@@ -159,6 +184,9 @@ const SceneKind shadow_scenes[] = {
     {"ties", "three surfaces in one plane", make_ties},
     {"edge", "a ball about a light, seen along an edge of the cube map", make_edge},
     {"corner", "the same through the cube map's corner", make_corner},
+    {"room", "a closed room about a lamp", make_room},
+    {"tiny_room", "the same, a thousand times smaller", make_tiny_room},
+    {"giant_room", "the same, a million times larger", make_giant_room},
     {NULL, NULL, NULL},
 };
 
@@ -176,4 +204,11 @@ double scenes_lit_at(const char *scene, LightKind kind, vec3 point)
     if (strcmp(scene, "decades") != 0 || kind == LIGHT_DIRECTIONAL || point[1] > -1e5f)
         return -1.0;
     return fabsf(point[0]) < 1e6f && fabsf(point[2]) < 1e6f ? 0.0 : 1.0; // a plate under 45° to each side
+}
+
+double scenes_reflected_flux(const Scene *scene)
+{
+    if (!strstr(scene->name, "room") || scene->light_count == 0)
+        return -1.0;
+    return 4.0 * M_PI * (double)scene->lights[0].intensity[0] * (double)scene->materials[0].albedo[0];
 }

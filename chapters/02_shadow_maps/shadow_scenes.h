@@ -13,4 +13,7 @@ double scenes_lit(const char *scene);
 // can.
 double scenes_lit_at(const char *scene, LightKind kind, vec3 point);
 
+// W that all surfaces together reflect, in red: 4πIρ in a closed room about a point light; −1: the scene is none.
+double scenes_reflected_flux(const Scene *scene);
+
 #endif

@@ -1,22 +1,25 @@
 // figure: work-precision diagrams from the CSV file that --sweep wrote: one figure a scene.
 //
-//     build/figure SWEEP.csv --metric NAME [--scene SCENE] OUT.svg|OUT.png
+//     build/figure SWEEP.csv --metric NAME [--scene SCENE] [--technique PATTERN] OUT.svg|OUT.png
 //
 // With several scenes each figure's name carries its scene: OUT-cornell.svg.
 #include <argp.h>
 #include <ctype.h>
+#include <fnmatch.h>
 #include <math.h>
 
 #include "../csv.h"
 #include "measure.h"
 
 typedef struct Request {
-    const char *sweep, *out, *metric, *scene;
+    const char *sweep, *out, *metric, *scene, *technique;
 } Request;
 
 static const struct argp_option options[] = {
     {"metric", 'm', "NAME", 0, "The metric to draw, as in the file's column", 0},
     {"scene", 's', "SCENE", 0, "Only this scene (default: a figure each)", 0},
+    {"technique", 't', "PATTERN", 0,
+     "Only techniques whose names fit, as file names in a shell: 'bias*', '@(cube|rays)'", 0},
     {0},
 };
 
@@ -29,6 +32,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case 's':
         request->scene = argument;
+        return 0;
+    case 't':
+        request->technique = argument;
         return 0;
     case ARGP_KEY_ARG:
         if (state->arg_num >= 2)
@@ -59,6 +65,14 @@ static bool same(const CsvTable *table, size_t row, const char *header, const ch
     return !text || strcmp(csv_table_field(table, row, header), text) == 0;
 }
 
+// A row that the request asks for.
+static bool wanted(const CsvTable *table, size_t row, const Request *request)
+{
+    return same(table, row, "metric", request->metric) && same(table, row, "scene", request->scene) &&
+           (!request->technique ||
+            fnmatch(request->technique, csv_table_field(table, row, "technique"), FNM_EXTMATCH) == 0);
+}
+
 // The technique; with what else the curve must be told apart by, where the figure's rows differ in it.
 static char *curve_name(const CsvTable *table, const size_t *rows, size_t count, size_t row)
 {
@@ -78,14 +92,14 @@ static char *curve_name(const CsvTable *table, const size_t *rows, size_t count,
     return name;
 }
 
-static void draw(const CsvTable *table, const char *metric, const char *scene, const char *path)
+static void draw(const CsvTable *table, const Request *request, const char *scene, const char *path)
 {
     Machine machine = {0};
     for (size_t i = 0; i < table->comment_count && i < MACHINE_LINES; i++)
         machine.lines[i] = table->comments[i];
     size_t *rows = memory_new(table->rows, sizeof *rows, "figure"), count = 0;
     for (size_t row = 1; row < table->rows; row++)
-        if (same(table, row, "scene", scene) && same(table, row, "metric", metric))
+        if (same(table, row, "scene", scene) && wanted(table, row, request))
             rows[count++] = row;
     FigurePoint *points = memory_new(count, sizeof *points, "figure");
     char **names = memory_new(count, sizeof *names, "figure");
@@ -103,7 +117,7 @@ static void draw(const CsvTable *table, const char *metric, const char *scene, c
         text_format("%s, %s, %sx%s, against %s", csv_table_field(table, rows[0], "chapter"), scene,
                     csv_table_field(table, rows[0], "width"), csv_table_field(table, rows[0], "height"),
                     csv_table_field(table, rows[0], "reference"));
-    measure_figure(path, title, metric, points, count, &machine);
+    measure_figure(path, title, request->metric, points, count, &machine);
     printf("%s\n", path);
     free(title);
     for (size_t i = 0; i < count; i++)
@@ -126,16 +140,16 @@ int main(int argc, char **argv)
     const char **scenes = memory_new(table.rows, sizeof *scenes, "figure");
     size_t count = 0;
     for (size_t row = 1; row < table.rows; row++) {
-        bool wanted =
-            same(&table, row, "metric", request.metric) && same(&table, row, "scene", request.scene);
-        for (size_t i = 0; i < count && wanted; i++)
-            wanted = !same(&table, row, "scene", scenes[i]);
-        if (wanted)
+        bool another = wanted(&table, row, &request);
+        for (size_t i = 0; i < count && another; i++)
+            another = !same(&table, row, "scene", scenes[i]);
+        if (another)
             scenes[count++] = csv_table_field(&table, row, "scene");
     }
     if (!count)
-        fail_request("%s: no row has metric '%s'%s%s; the first row's metric is '%s'", request.sweep,
+        fail_request("%s: no row has metric '%s'%s%s%s%s; the first row's metric is '%s'", request.sweep,
                      request.metric, request.scene ? " and scene " : "", request.scene ? request.scene : "",
+                     request.technique ? " and technique " : "", request.technique ? request.technique : "",
                      table.rows > 1 ? csv_table_field(&table, 1, "metric") : "missing");
     for (size_t i = 0; i < count; i++) {
         const char *dot = strrchr(request.out, '.'), *end = dot ? dot : request.out + strlen(request.out);
@@ -143,7 +157,7 @@ int main(int argc, char **argv)
                                  count > 1 ? scenes[i] : "", end);
         for (char *c = path + (end - request.out); count > 1 && c < path + strlen(path) - strlen(end); c++)
             *c = isalnum((unsigned char)*c) ? *c : '-'; // a scene may be a file's path
-        draw(&table, request.metric, scenes[i], path);
+        draw(&table, &request, scenes[i], path);
         free(path);
     }
     free(scenes);
