@@ -47,6 +47,11 @@ GRADERS  := grade prove margins course course_picture
 GRADE    := $(filter-out $(GRADERS:%=$(OBJ)/tests/grade/%.c.o),$(call objects,tests/grade/*.c))
 SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c)
 
+# A student waits for these: all processors build what is missing.
+ifneq ($(filter next progress check watch hint solution,$(MAKECMDGOALS)),)
+MAKEFLAGS += --jobs=$(shell nproc)
+endif
+
 export BUILD
 export MESA_SHADER_CACHE_DIR := $(abspath $(if $(filter build/%,$(BUILD)),build,$(BUILD)))/mesa-cache
 
@@ -112,8 +117,12 @@ $(BUILD)/exercise_commands: FORCE
 	@{ printf '%s\n' $(CC) -D_GNU_SOURCE -I@/common $(SYSTEM) $(filter-out -Werror,$(CFLAGS)) \
 	  $(if $(findstring clang,$(CC)),-ferror-limit=2,-fmax-errors=2); echo; printf '%s\n' $(LDLIBS) -lstdc++; } >$@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
-EXERCISES := $(BUILD)/course_picture $(BUILD)/exercise_commands $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
-$(GRADERS:%=$(BUILD)/%): $(BUILD)/%: $(OBJ)/tests/grade/%.c.o $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+# What exercises include, and no more: the first check of a fresh tree builds it while somebody waits.
+$(BUILD)/libexercise.a: $(call objects,$(foreach module,base exercise gl linear shader,common/$(module).c*))
+	$(ARCHIVE)
+EXERCISES := $(BUILD)/course_picture $(BUILD)/exercise_commands $(BUILD)/libexercise.a
+$(BUILD)/course_picture: $(OBJ)/common/image.cpp.o
+$(GRADERS:%=$(BUILD)/%): $(BUILD)/%: $(OBJ)/tests/grade/%.c.o $(BUILD)/libgrade.a $(BUILD)/libexercise.a
 	$(call LINK,-ljansson)
 
 next: $(BUILD)/course ## the first exercise that you have not solved: what to do, what to read, which file to open

@@ -30,7 +30,7 @@ void grade_case_open(GradeCase *one, uint64_t seed)
     char *mine = text_format("%s/build", one->folder);
     folder_make(mine);
     for (const char *const *name =
-             (const char *const[]){"libcommon.a", "libtechniques.a", "exercise_commands", NULL};
+             (const char *const[]){"libexercise.a", "exercise_commands", NULL};
          *name; name++) {
         char *from = text_format("%s/%s", build, *name);
         shell("ln -s \"$(realpath %s)\" %s/", from, mine);

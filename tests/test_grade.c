@@ -160,7 +160,7 @@ Test(grade, what_the_machine_cannot_do_is_not_graded, .timeout = SECONDS)
 {
     GradeCase one;
     grade_case_open(&one, 7);
-    unlink("libcommon.a"); // in the scratch folder: neither the solution's program nor anyone's can be linked
+    unlink("libexercise.a"); // in the scratch folder: neither the solution's program nor anyone's can be linked
     Verdicts verdicts = grade_case_judge(&one, "01.1");
     cr_assert_eq(verdicts.list[0].grade, GRADE_NOT_GRADED);
     cr_assert_eq(verdicts.list[1].grade, GRADE_NOT_GRADED);
@@ -174,7 +174,7 @@ Test(grade, a_machine_that_fails_midway_is_not_the_students_fault, .timeout = SE
     grade_case_open(&one, 7);
     Reference reference = reference_make(&one.judge, manifest_find(&one.manifest, "01.1"));
     cr_assert_null(reference.why, "%s", reference.why);
-    unlink("libcommon.a");
+    unlink("libexercise.a");
     Verdicts verdicts = judge_submission(&one.judge, &reference, one.submission);
     cr_assert_eq(verdicts.list[1].grade, GRADE_NOT_GRADED, "%s", verdicts.list[1].text);
     verdicts_free(&verdicts);

@@ -100,15 +100,13 @@ ConfineResult attempt_build(const Attempt *attempt, const char *const *flags)
         if (!strcmp(ending, ".c"))
             add(&words, text_format("%s/%s/%s", attempt->tree, attempt->entry->folder, name));
     }
-    char *techniques = text_format("%s/libtechniques.a", attempt->build);
-    char *common = text_format("%s/libcommon.a", attempt->build), *headers = text_format("%s/common", root);
-    add(&words, text_format("%s", techniques));
-    add(&words, text_format("%s", common));
+    char *library = text_format("%s/libexercise.a", attempt->build), *headers = text_format("%s/common", root);
+    add(&words, text_format("%s", library));
     add_lines(&words, link, root);
     add(&words, text_format("-o"));
     add(&words, text_format("%s/program", attempt->folder));
     // Not the whole of root: a file of solutions/ is not to be included.
-    const char *const readable[] = {headers, techniques, common, attempt->tree, NULL};
+    const char *const readable[] = {headers, library, attempt->tree, NULL};
     ConfineResult result = confine_run(&(Confine){.command = (const char *const *)words.list,
                                                   .folder = attempt->folder,
                                                   .readable = readable,
@@ -123,9 +121,8 @@ ConfineResult attempt_build(const Attempt *attempt, const char *const *flags)
     free(kept);
     for (int i = 0; i < words.count; i++)
         free(words.list[i]);
-    free(techniques);
     free(headers);
-    free(common);
+    free(library);
     free(root);
     free(text);
     free(file);

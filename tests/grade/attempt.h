@@ -11,7 +11,7 @@ typedef struct Attempt {
     char *tree;   // absolute, as the two below
     char *folder; // the one that the children may write; it belongs to the attempt
     char *given;  // FOLDER.given: the inputs, which they may read
-    char *build;  // where make has put libcommon.a, libtechniques.a and exercise_commands
+    char *build;  // where make has put libexercise.a and exercise_commands
 } Attempt;
 
 // `folder` is emptied. Ends the program where there is no tree or no build.

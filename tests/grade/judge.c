@@ -28,7 +28,7 @@ Judge judge_open(const Manifest *manifest, const char *build, uint64_t seed)
     judge.scratch = text_format("%s/grade_XXXXXX", temporary && temporary[0] == '/' ? temporary : "/tmp");
     if (!mkdtemp(judge.scratch) || chmod(judge.scratch, 0711) != 0)
         fail_work("%s: %s", judge.scratch, strerror(errno));
-    static const char *const made[] = {"libcommon.a", "libtechniques.a", "exercise_commands"};
+    static const char *const made[] = {"libexercise.a", "exercise_commands"};
     for (size_t i = 0; i < sizeof made / sizeof *made; i++) {
         char *file = text_format("%s/%s", build, made[i]);
         copy_all(file, judge.scratch);
