@@ -159,6 +159,8 @@ $(BUILD)/wrong.made: $(SOLUTIONS) $(wildcard tests/mutants/exercises/*/*.diff) t
 	@touch $@
 test-exercise-mutants: $(BUILD)/prove $(GRADING) $(BUILD)/wrong.made ## each solution must get all points, each stub none, each known mistake lose just what its table says and earn its sentence
 	@$(BUILD)/prove $(EX)
+check-times: $(BUILD)/solutions.made ## how long make check takes in a fresh handout, for the first time and warm, by exercise
+	@sh tests/tools/check_times.sh $(BUILD)/solutions
 margins: $(BUILD)/margins $(GRADING) $(BUILD)/wrong.made ## how far solutions and mistakes keep from each tolerance, over compilers, optimization, GL platforms, threads
 	@$(BUILD)/margins $(EX)
 
@@ -189,6 +191,7 @@ test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants,
 	@$(MAKE) test-clang
 	@$(MAKE) test-mutants
 	@$(MAKE) test-exercise-mutants
+	@$(MAKE) check-times
 	@$(MAKE) test-readme
 	@cat $(BUILD)/*.synthesis $(BUILD)/sanitize/*.synthesis $(BUILD)/clang/*.synthesis
 test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow $(BUILD)/course $(GRADING)
@@ -248,4 +251,4 @@ help: ## this list
 
 -include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c))
 .PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
-  grade test-exercise-mutants margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures format lint clean help FORCE
+  grade test-exercise-mutants check-times margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures format lint clean help FORCE
