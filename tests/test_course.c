@@ -233,6 +233,34 @@ Test(course, a_handout_holds_no_answer)
     EXPECT(1, "sh tests/tools/handout.sh", "DIR=folder is needed");
 }
 
+// Root's children are a user that may not enter a folder such as /root; and a clone made under umask 077 is for its owner alone.
+Test(course, a_clone_in_a_closed_folder_can_be_worked_in)
+{
+    EXPECT(0,
+           "mkdir $T/home && sh tests/tools/handout.sh $T/home/clone 01.1 01.3 01.4 && chmod 700 $T/home && "
+           "chmod -R "
+           "go= $T/home/clone",
+           "3 exercises");
+#define HOME "cd $T/home/clone && $B/course --build $B --work $T/home/clone/work --progress $T/progress "
+    EXPECT(1, HOME "check 01.1", "0 of 3 checks pass");
+    EXPECT(1,
+           "sed -i 's/return 2;/return two;/' $T/home/clone/exercises/01_voxelization/dominant_axis.c; " HOME
+           "check 01.1",
+           "    exercises/01_voxelization/dominant_axis.c:17:12: error");
+    EXPECT(0,
+           "cp $B/solutions/01_voxelization/nearest.comp $T/home/clone/exercises/01_voxelization/ && " HOME
+           "check 01.4",
+           "01.4 is solved");
+    // Nothing is left behind, and the command that it names can be run.
+    EXPECT(0,
+           "sed -i 's/(void)a, (void)b, (void)p;/abort();/' "
+           "$T/home/clone/exercises/01_voxelization/winding.c; export TMPDIR=$T; " HOME
+           "check 01.3 >$T/said; cat $T/said; $(sed -n 's/^ *\\(.*program .*in .*out\\)$/\\1/p' $T/said); [ "
+           "$? = 134 ] && "
+           "! ls -d $T/check_* 2>/dev/null",
+           "was ended by signal 6");
+}
+
 // The commands work there, on the objects that are built here.
 Test(course, a_handout_can_be_worked_in)
 {

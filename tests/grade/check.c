@@ -113,7 +113,7 @@ static void say_failed_run(const Attempt *attempt, const Check *check, const Out
              TEXT_LINES / 2); // what fail_work begins with
     if (outcome->end == CONFINE_SIGNAL || outcome->end == CONFINE_WALL)
         printf("%*sRun it yourself, under gdb say:\n%*s%s/program %s/%s.in /tmp/out\n", INDENT, "",
-               INDENT + 2, "", attempt->folder, attempt->given, check->name);
+               INDENT + 2, "", attempt_kept(attempt), attempt_kept(attempt), check->name);
 }
 
 static void say_verdict(const Check *check, bool passes)
