@@ -47,6 +47,15 @@ GRADERS  := grade prove margins course course_picture
 GRADE    := $(filter-out $(GRADERS:%=$(OBJ)/tests/grade/%.c.o),$(call objects,tests/grade/*.c))
 SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c)
 
+# What a tree that was handed out lacks (tests/tools/handout.sh), said in one line.
+OF_AUTHORS := exercises record handout grade margins test-exercise-mutants check-times test test-now test-all test-slow test-clang test-mutants \
+  test-readme sanitize lessons lessons-check pictures figures format lint compile_commands.json
+ifeq ($(wildcard solutions),)
+ifneq ($(filter $(OF_AUTHORS),$(MAKECMDGOALS)),)
+$(error make $(firstword $(filter $(OF_AUTHORS),$(MAKECMDGOALS))) needs solutions and tests, and this tree was handed out without them; make next says what to do here)
+endif
+endif
+
 # A student waits for these: all processors build what is missing.
 ifneq ($(filter next progress check watch hint solution,$(MAKECMDGOALS)),)
 MAKEFLAGS += --jobs=$(shell nproc)
@@ -246,7 +255,7 @@ compile_commands.json: Makefile $(SOURCES) ## for clangd and clang-tidy
 clean: ## remove build/ and out/ (a student's .progress stays)
 	rm -rf build out compile_commands.json
 help: ## this list
-	@awk -f tests/tools/help.awk $(firstword $(MAKEFILE_LIST))
+	@awk -f tests/tools/help.awk -v without="$(if $(wildcard solutions),,$(OF_AUTHORS))" $(firstword $(MAKEFILE_LIST))
 	@for chapter in $(CHAPTERS); do printf '  %-16s build and open chapters/%s (ARGS="--help" lists its options)\n' $${chapter%%_*} $$chapter; done
 
 -include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c))

@@ -277,5 +277,11 @@ Test(course, a_handout_can_be_worked_in)
            "check 01.4",
            "01.4 is solved");
     EXPECT(1, THERE "solution 01.4", "handed out without solutions");
+    EXPECT(1, "mv $T/handout/exercises/01_voxelization/dominant_axis.c $T; " THERE "check 01.1",
+           "Take it from the tree");
+    EXPECT(2, "cd $T/handout && make exercises", "make exercises needs solutions and tests", "make next");
+    EXPECT(2, "cd $T/handout && make record EX=01.1 | wc -l; make record", "make record needs solutions");
+    const char *help = course_says(0, "cd $T/handout && make help");
+    cr_assert(strstr(help, "  check ") && !strstr(help, "  record "), "%s", help);
     EXPECT(0, THERE "progress", "[x] 01.4", "8 of 8 points");
 }

@@ -31,7 +31,9 @@ static bool files_there(const Course *course, const Entry *entry)
     for (int i = 0; i < entry->file_count; i++) {
         char *path = course_path(course, entry, i);
         if (access(path, R_OK) != 0) {
-            printf("  %s is missing. make exercises brings the stub back.\n", path);
+            printf("  %s is missing. %s\n", path,
+                   access(course->solutions, F_OK) == 0 ? "make exercises brings the stub back."
+                                                        : "Take it from the tree that you were handed out.");
             there = false;
         }
         free(path);
