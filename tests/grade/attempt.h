@@ -13,8 +13,9 @@ typedef struct Attempt {
     char *folder; // the one that the children may write; it belongs to the attempt
     char *given;  // FOLDER.given: the inputs, which they may read
     char *build;  // where make has put libexercise.a and exercise_commands
-    char *kept,
-        *scratch; // NULL but where the attempt takes place in a scratch folder: where `given` is copied to at the end; that folder
+    char *
+        kept; // where `given` is copied to at the end, if the attempt takes place in a scratch folder; else NULL
+    ConfineScratch place; // that folder
 } Attempt;
 
 // --- attempt_place.c

@@ -87,10 +87,8 @@ static void copy_into(const char *folder, const char *name, const char *scratch)
 // Everything that compiler and program read, in a folder that their user may enter.
 static void move_to_scratch(Attempt *attempt)
 {
-    const char *temporary = getenv("TMPDIR");
-    char *scratch = text_format("%s/check_XXXXXX", temporary && temporary[0] == '/' ? temporary : "/tmp");
-    if (!mkdtemp(scratch) || chmod(scratch, 0711) != 0)
-        fail_work("%s: %s", scratch, strerror(errno));
+    attempt->place = confine_scratch_open("check");
+    const char *scratch = attempt->place.path;
     // The tree keeps its place below the root, by which messages name its files.
     size_t root = strlen(attempt->root);
     bool below = !strncmp(attempt->tree, attempt->root, root) && attempt->tree[root] == '/';
@@ -109,7 +107,6 @@ static void move_to_scratch(Attempt *attempt)
     attempt->given = text_format("%s/work.given", scratch);
     replace(&attempt->folder, text_format("%s/work", scratch));
     make_empty(attempt->folder, attempt->given);
-    attempt->scratch = scratch;
 }
 
 Attempt attempt_open(const Entry *entry, const char *tree, const char *build, const char *folder)
@@ -136,11 +133,11 @@ const char *attempt_kept(const Attempt *attempt)
 
 void attempt_close(Attempt *attempt)
 {
-    if (attempt->scratch) {
+    if (attempt->place.path) {
         char *all = text_format("%s/.", attempt->given);
         confine_folder_copy(all, attempt->kept);
         free(all);
-        confine_folder_remove(attempt->scratch);
+        confine_scratch_close(&attempt->place);
     }
     free(attempt->root);
     free(attempt->tree);
@@ -148,6 +145,5 @@ void attempt_close(Attempt *attempt)
     free(attempt->given);
     free(attempt->build);
     free(attempt->kept);
-    free(attempt->scratch);
     *attempt = (Attempt){0};
 }

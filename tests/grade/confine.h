@@ -71,6 +71,15 @@ void confine_folder_copy(const char *from, const char *to);
 // Lets every user read what is in it.
 void confine_folder_open(const char *path);
 
+// --- confine_scratch.c
+typedef struct ConfineScratch {
+    char *path; // /tmp/KIND_XXXXXX, or in TMPDIR; others may enter it and not list it
+    int lock;   // held while it is in use
+} ConfineScratch;
+// A new one; what others of this kind left behind is removed first: a grader that was killed, or ended early, cannot.
+ConfineScratch confine_scratch_open(const char *kind);
+void confine_scratch_close(ConfineScratch *scratch);
+
 // A file that a child left in its folder, read without following a link: exactly `bytes`, a regular file with
 // one name. NULL where it is not, and *why is then a clause that says so ("is missing", "has 12 bytes, not 16"); both are the caller's to free.
 void *confine_read(const char *folder, const char *name, size_t bytes, char **why);

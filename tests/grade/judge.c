@@ -11,11 +11,8 @@
 
 Judge judge_open(const Manifest *manifest, const char *build, uint64_t seed)
 {
-    const char *temporary = getenv("TMPDIR");
-    Judge judge = {.manifest = manifest, .seed = seed};
-    judge.scratch = text_format("%s/grade_XXXXXX", temporary && temporary[0] == '/' ? temporary : "/tmp");
-    if (!mkdtemp(judge.scratch) || chmod(judge.scratch, 0711) != 0)
-        fail_work("%s: %s", judge.scratch, strerror(errno));
+    Judge judge = {.manifest = manifest, .place = confine_scratch_open("grade"), .seed = seed};
+    judge.scratch = judge.place.path;
     static const char *const made[] = {"libexercise.a", "exercise_commands"};
     for (size_t i = 0; i < sizeof made / sizeof *made; i++) {
         char *file = text_format("%s/%s", build, made[i]);
@@ -42,10 +39,9 @@ Judge judge_open(const Manifest *manifest, const char *build, uint64_t seed)
 void judge_close(Judge *judge)
 {
     (void)!chdir("/");
-    confine_folder_remove(judge->scratch);
+    confine_scratch_close(&judge->place);
     free((char *)judge->trees.stubs);
     free((char *)judge->trees.solutions);
-    free(judge->scratch);
     *judge = (Judge){0};
 }
 

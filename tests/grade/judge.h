@@ -11,7 +11,8 @@
 typedef struct Judge {
     const Manifest *manifest;
     Trees trees;
-    char *scratch;
+    ConfineScratch place;
+    const char *scratch; // its path
     uint64_t seed;
     const char *const *flags; // for the compiler, as attempt_build takes them
 } Judge;
