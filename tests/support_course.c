@@ -79,7 +79,8 @@ void course_write(const char *name, const char *text)
     char *folder = text_format("%.*s", (int)(strrchr(path, '/') - path), path);
     folder_make(folder);
     FILE *file = fopen(path, "w");
-    cr_assert(file && fputs(text, file) >= 0 && fclose(file) == 0, "%s", path);
+    bool written = file && fputs(text, file) >= 0;
+    cr_assert(file && fclose(file) == 0 && written, "%s", path);
     free(folder);
     free(path);
 }

@@ -29,6 +29,23 @@ Test(course, each_file_of_solutions_is_one_exercise_s)
            "same");
 }
 
+// What to read is "FILE.md: HEADING" (without its number) or "FILE: WORD"; anything else is plain words. A chapter that is not here cannot be asked.
+Test(course, what_is_to_be_read_is_there)
+{
+    EXPECT(0,
+           "jq -r '.exercises[].read[]' exercises/manifest.json >$T/read; grep '/' $T/read | grep -v 'the "
+           "commands$' | while "
+           "IFS= read -r line; do\n"
+           "file=${line%%:*} what=${line#*: }\n"
+           "[ \"$file\" != \"$line\" ] || { echo \"NO COLON: $line\"; continue; }\n"
+           "[ -e \"$file\" ] || { case $file in chapters/*|shaders/*) ;; *) echo \"NO FILE: $line\" ;; esac; "
+           "continue; }\n"
+           "case $file in *.md) sed -n 's/^##* \\([0-9]*\\. \\)\\{0,1\\}//p' $file | grep -qxF \"$what\" ;; "
+           "*) grep -qwF \"$what\" $file ;; esac || echo \"NOT THERE: $line\"\n"
+           "echo asked\ndone >$T/asked; grep -q asked $T/asked && ! grep -v asked $T/asked && echo right",
+           "right");
+}
+
 Test(course, a_marker_that_is_not_closed_is_named)
 {
     course_write("from/01_a/open.c", "#ifdef SOLUTION\nint right;\n#else\nint wrong;\n");
