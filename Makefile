@@ -38,7 +38,11 @@ COMMON   := $(call objects,common/*.c common/*.cpp)
 CHAPTERS := $(sort $(patsubst chapters/%/main.c,%,$(wildcard chapters/*/main.c)))
 PROGRAMS := $(addprefix $(BUILD)/,$(CHAPTERS))
 TECHNIQUES := $(filter-out %/main.c.o,$(call objects,chapters/*/*.c))
+# The exercises' tests are a program of their own: it loads four libraries where the others load 260, once a test.
+EXERCISE_TESTS := test_course% test_grade%
 TESTS    := $(call objects,tests/test_*.c)
+TESTS_OF_EXERCISES := $(filter $(EXERCISE_TESTS:%=$(OBJ)/tests/%),$(TESTS))
+TESTS    := $(filter-out $(TESTS_OF_EXERCISES),$(TESTS))
 SLOW     := $(call objects,tests/slow_*.c)
 SUPPORT  := $(call objects,tests/support*.c)
 TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/triangle.c))
@@ -179,18 +183,25 @@ $(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)
 	@mkdir -p $(@D)
 	$(call LINK,-lcriterion -ljansson)
 $(BUILD)/only/test_course $(BUILD)/only/test_course_manifest $(BUILD)/only/slow_course: | $(BUILD)/course $(GRADING)
+LIGHT := $(call objects,tests/support_course.c tests/support_grade.c) $(BUILD)/libgrade.a $(BUILD)/libexercise.a
+$(patsubst tests/%.c,$(BUILD)/only/%,$(wildcard tests/*_course*.c tests/*_grade*.c)): $(BUILD)/only/%: $(OBJ)/tests/%.c.o $(LIGHT)
+	@mkdir -p $(@D)
+	$(call LINK,-lcriterion -ljansson)
+$(BUILD)/test_exercises: $(TESTS_OF_EXERCISES) $(LIGHT)
+	$(call LINK,-lcriterion -ljansson)
 $(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	$(call LINK,-lcriterion -ljansson)
 $(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	$(call LINK,-lcriterion -ljansson)
 
 # Graders' tests compile exercises themselves.
-$(BUILD)/only/test_grade $(BUILD)/only/slow_grade $(BUILD)/test_all $(BUILD)/test_slow: | $(GRADING)
+$(BUILD)/only/test_grade $(BUILD)/only/slow_grade $(BUILD)/test_exercises $(BUILD)/test_slow: | $(GRADING)
 
-test: ## install what tests need, build, run every fast test; JUnit in build/junit.xml
+test: ## install what tests need, build, run every fast test; JUnit in build/junit.xml and build/junit_exercises.xml
 	@$(MAKE) deps-test
 	@$(MAKE) test-now
-test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all $(BUILD)/course $(GRADING)
+test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all $(BUILD)/test_exercises $(BUILD)/course $(GRADING)
+	@sh tests/tools/run_tests.sh $(BUILD)/test_exercises $(BUILD)/junit_exercises.xml
 	@sh tests/tools/run_tests.sh $(BUILD)/test_all $(BUILD)/junit.xml
 
 test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants, the README's commands (TESTED=1: make test has just passed)
@@ -207,7 +218,7 @@ test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow $(BUILD)/course $(GRADING)
 	@sh tests/tools/run_tests.sh $(BUILD)/test_slow $(BUILD)/junit_slow.xml
 test-clang:
 	@$(MAKE) CC=clang BUILD=build/clang WERROR=1 test-now
-test-mutants: $(BUILD)/test_all ## each tests/mutants/code/*.diff must turn the test that it names red
+test-mutants: $(BUILD)/test_all $(BUILD)/test_exercises ## each tests/mutants/code/*.diff must turn the test that it names red
 	@sh tests/tools/mutants.sh
 test-readme: $(PROGRAMS) ## run the commands that README and lessons print
 	@sh tests/tools/readme_commands.sh README.md chapters/README.md $(wildcard chapters/*/README.md)
