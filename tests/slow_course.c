@@ -70,7 +70,8 @@ Test(course_slow, measured_answers_are_measured_again)
             char *command = text_format(
                 "awk -v name=%s '/^.. measure: / { sub(/^.. measure: /, \"\"); command = $0 } $1 == name && "
                 "$2 == \"=\" { print "
-                "command; exit }' solutions/%s/%s | sed \"s,build/,$B/,g\" >$T/command; sh $T/command",
+                "command; exit }' solutions/%s/%s | sed \"s,build/,$B/,g\" >$T/command; sh $T/command "
+                "2>$T/notes",
                 check->name, entry->folder, entry->files[0]);
             const char *said = course_says(0, command);
             float *wanted = recorded_read("tests/data", entry, check, NULL);
