@@ -17,7 +17,7 @@ TestSuite(course_slow, .init = course_folder_make, .fini = course_folder_remove,
 Test(course_slow, solutions_pass_as_recorded_and_stubs_pass_nothing)
 {
     Manifest manifest = manifest_open("exercises/manifest.json", "tests/grade/manifest.schema.json");
-    const char *build = getenv("BUILD") && *getenv("BUILD") ? getenv("BUILD") : "build";
+    const char *named = getenv("BUILD"), *build = named && *named ? named : "build";
     for (int i = 0; i < 2 * manifest.count; i++) {
         const Entry *entry = &manifest.entries[i / 2];
         bool solved = i % 2;

@@ -21,7 +21,8 @@ void course_folder_make(void)
     strcpy(state.folder, "/tmp/course_XXXXXX");
     cr_assert(mkdtemp(state.folder));
     cr_assert_eq(chmod(state.folder, 0755), 0); // a confined child reads in it
-    state.build = realpath(getenv("BUILD") && *getenv("BUILD") ? getenv("BUILD") : "build", NULL);
+    const char *named = getenv("BUILD");
+    state.build = realpath(named && *named ? named : "build", NULL);
     cr_assert(state.build, "make builds first");
 }
 

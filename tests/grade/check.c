@@ -169,7 +169,7 @@ static void say_results(const Course *course, const Attempt *attempt, const Resu
         const Outcome *outcome = &results->outcomes[i];
         bool passes = results->passes[i];
         say_verdict(check, passes ? "ok" : not_run(results, i) ? "not run" : "WRONG");
-        if (passes && entry->kind == EXERCISE_MEASURE)
+        if (passes && outcome->values && entry->kind == EXERCISE_MEASURE)
             printf("          %.7g (%s)\n", (double)outcome->values[0], outcome->text);
         if (passes || told)
             continue;
