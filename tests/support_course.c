@@ -80,8 +80,9 @@ void course_write(const char *name, const char *text)
     char *folder = text_format("%.*s", (int)(strrchr(path, '/') - path), path);
     folder_make(folder);
     FILE *file = fopen(path, "w");
-    bool written = file && fputs(text, file) >= 0;
-    cr_assert(file && fclose(file) == 0 && written, "%s", path);
+    cr_assert(file, "%s", path);
+    bool written = fputs(text, file) >= 0;
+    cr_assert(fclose(file) == 0 && written, "%s", path);
     free(folder);
     free(path);
 }
