@@ -38,7 +38,11 @@ COMMON   := $(call objects,common/*.c common/*.cpp)
 CHAPTERS := $(sort $(patsubst chapters/%/main.c,%,$(wildcard chapters/*/main.c)))
 PROGRAMS := $(addprefix $(BUILD)/,$(CHAPTERS))
 TECHNIQUES := $(filter-out %/main.c.o,$(call objects,chapters/*/*.c))
+# The exercises' tests are a program of their own: it loads four libraries where the others load 260, once a test.
+EXERCISE_TESTS := test_course% test_grade%
 TESTS    := $(call objects,tests/test_*.c)
+TESTS_OF_EXERCISES := $(filter $(EXERCISE_TESTS:%=$(OBJ)/tests/%),$(TESTS))
+TESTS    := $(filter-out $(TESTS_OF_EXERCISES),$(TESTS))
 SLOW     := $(call objects,tests/slow_*.c)
 SUPPORT  := $(call objects,tests/support*.c)
 TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/triangle.c))
@@ -46,6 +50,20 @@ TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)) $
 GRADERS  := grade prove margins course course_picture
 GRADE    := $(filter-out $(GRADERS:%=$(OBJ)/tests/grade/%.c.o),$(call objects,tests/grade/*.c))
 SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c)
+
+# What a tree that was handed out lacks (tests/tools/handout.sh), said in one line.
+OF_AUTHORS := exercises record handout grade margins test-exercise-mutants check-times test test-now test-all test-slow test-clang test-mutants \
+  test-readme sanitize lessons lessons-check pictures figures format lint compile_commands.json
+ifeq ($(wildcard solutions),)
+ifneq ($(filter $(OF_AUTHORS),$(MAKECMDGOALS)),)
+$(error make $(firstword $(filter $(OF_AUTHORS),$(MAKECMDGOALS))) needs solutions and tests, and this tree was handed out without them; make next says what to do here)
+endif
+endif
+
+# A student waits for these: all processors build what is missing.
+ifneq ($(filter next progress check watch hint solution,$(MAKECMDGOALS)),)
+MAKEFLAGS += --jobs=$(shell nproc)
+endif
 
 export BUILD
 export MESA_SHADER_CACHE_DIR := $(abspath $(if $(filter build/%,$(BUILD)),build,$(BUILD)))/mesa-cache
@@ -122,8 +140,12 @@ $(BUILD)/exercise_commands: FORCE
 	@{ printf '%s\n' $(CC) -D_GNU_SOURCE -I@/common $(SYSTEM) $(filter-out -Werror,$(CFLAGS)) \
 	  $(if $(findstring clang,$(CC)),-ferror-limit=2,-fmax-errors=2); echo; printf '%s\n' $(LDLIBS) -lstdc++; } >$@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
-EXERCISES := $(BUILD)/course_picture $(BUILD)/exercise_commands $(BUILD)/libtechniques.a $(BUILD)/libcommon.a
-$(GRADERS:%=$(BUILD)/%): $(BUILD)/%: $(OBJ)/tests/grade/%.c.o $(BUILD)/libgrade.a $(BUILD)/libcommon.a
+# What exercises include, and no more: the first check of a fresh tree builds it while somebody waits.
+$(BUILD)/libexercise.a: $(call objects,$(foreach module,base exercise gl linear shader,common/$(module).c*))
+	$(ARCHIVE)
+EXERCISES := $(BUILD)/course_picture $(BUILD)/exercise_commands $(BUILD)/libexercise.a
+$(BUILD)/course_picture: $(OBJ)/common/image.cpp.o
+$(GRADERS:%=$(BUILD)/%): $(BUILD)/%: $(OBJ)/tests/grade/%.c.o $(BUILD)/libgrade.a $(BUILD)/libexercise.a
 	$(call LINK,-ljansson)
 
 next: $(BUILD)/course ## the first exercise that you have not solved: what to do, what to read, which file to open
@@ -160,6 +182,8 @@ $(BUILD)/wrong.made: $(SOLUTIONS) $(wildcard tests/mutants/exercises/*/*.diff) t
 	@touch $@
 test-exercise-mutants: $(BUILD)/prove $(GRADING) $(BUILD)/wrong.made ## each solution must get all points, each stub none, each known mistake lose just what its table says and earn its sentence
 	@$(BUILD)/prove $(EX)
+check-times: $(BUILD)/solutions.made ## how long make check takes in a fresh handout, for the first time and warm, by exercise
+	@sh tests/tools/check_times.sh $(BUILD)/solutions
 margins: $(BUILD)/margins $(GRADING) $(BUILD)/wrong.made ## how far solutions and mistakes keep from each tolerance, over compilers, optimization, GL platforms, threads
 	@$(BUILD)/margins $(EX)
 
@@ -169,18 +193,25 @@ $(BUILD)/only/%: $(OBJ)/tests/%.c.o $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)
 	@mkdir -p $(@D)
 	$(call LINK,-lcriterion -ljansson)
 $(BUILD)/only/test_course $(BUILD)/only/test_course_manifest $(BUILD)/only/slow_course: | $(BUILD)/course $(GRADING)
+LIGHT := $(call objects,tests/support_course.c tests/support_grade.c) $(BUILD)/libgrade.a $(BUILD)/libexercise.a
+$(patsubst tests/%.c,$(BUILD)/only/%,$(wildcard tests/*_course*.c tests/*_grade*.c)): $(BUILD)/only/%: $(OBJ)/tests/%.c.o $(LIGHT)
+	@mkdir -p $(@D)
+	$(call LINK,-lcriterion -ljansson)
+$(BUILD)/test_exercises: $(TESTS_OF_EXERCISES) $(LIGHT)
+	$(call LINK,-lcriterion -ljansson)
 $(BUILD)/test_all: $(TESTS) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	$(call LINK,-lcriterion -ljansson)
 $(BUILD)/test_slow: $(SLOW) $(SUPPORT) $(BUILD)/libtechniques.a $(BUILD)/libgrade.a $(BUILD)/libcommon.a
 	$(call LINK,-lcriterion -ljansson)
 
 # Graders' tests compile exercises themselves.
-$(BUILD)/only/test_grade $(BUILD)/only/slow_grade $(BUILD)/test_all $(BUILD)/test_slow: | $(GRADING)
+$(BUILD)/only/test_grade $(BUILD)/only/slow_grade $(BUILD)/test_exercises $(BUILD)/test_slow: | $(GRADING)
 
-test: ## install what tests need, build, run every fast test; JUnit in build/junit.xml
+test: ## install what tests need, build, run every fast test; JUnit in build/junit.xml and build/junit_exercises.xml
 	@$(MAKE) deps-test
 	@$(MAKE) test-now
-test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all $(BUILD)/course $(GRADING)
+test-now: $(PROGRAMS) $(TOOLS) $(BUILD)/test_all $(BUILD)/test_exercises $(BUILD)/course $(GRADING)
+	@sh tests/tools/run_tests.sh $(BUILD)/test_exercises $(BUILD)/junit_exercises.xml
 	@sh tests/tools/run_tests.sh $(BUILD)/test_all $(BUILD)/junit.xml
 
 test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants, the README's commands (TESTED=1: make test has just passed)
@@ -190,13 +221,14 @@ test-all: ## make test and what is slow: slow tests, sanitizers, clang, mutants,
 	@$(MAKE) test-clang
 	@$(MAKE) test-mutants
 	@$(MAKE) test-exercise-mutants
+	@$(MAKE) check-times
 	@$(MAKE) test-readme
 	@cat $(BUILD)/*.synthesis $(BUILD)/sanitize/*.synthesis $(BUILD)/clang/*.synthesis
 test-slow: $(PROGRAMS) $(TOOLS) $(BUILD)/test_slow $(BUILD)/course $(GRADING)
 	@sh tests/tools/run_tests.sh $(BUILD)/test_slow $(BUILD)/junit_slow.xml
 test-clang:
 	@$(MAKE) CC=clang BUILD=build/clang WERROR=1 test-now
-test-mutants: $(BUILD)/test_all ## each tests/mutants/code/*.diff must turn the test that it names red
+test-mutants: $(BUILD)/test_all $(BUILD)/test_exercises ## each tests/mutants/code/*.diff must turn the test that it names red
 	@sh tests/tools/mutants.sh
 test-readme: $(PROGRAMS) ## run the commands that README and lessons print
 	@sh tests/tools/readme_commands.sh README.md chapters/README.md $(wildcard chapters/*/README.md)
@@ -246,9 +278,9 @@ compile_commands.json: Makefile $(SOURCES) ## for clangd and clang-tidy
 clean: ## remove build/ and out/ (a student's .progress stays)
 	rm -rf build out compile_commands.json
 help: ## this list
-	@awk -f tests/tools/help.awk $(firstword $(MAKEFILE_LIST))
+	@awk -f tests/tools/help.awk -v without="$(if $(wildcard solutions),,$(OF_AUTHORS))" $(firstword $(MAKEFILE_LIST))
 	@for chapter in $(CHAPTERS); do printf '  %-16s build and open chapters/%s (ARGS="--help" lists its options)\n' $${chapter%%_*} $$chapter; done
 
 -include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c tests/report/*.c))
 .PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
-  grade test-exercise-mutants margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures report format lint clean help FORCE
+  grade test-exercise-mutants check-times margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures report format lint clean help FORCE

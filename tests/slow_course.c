@@ -17,7 +17,7 @@ TestSuite(course_slow, .init = course_folder_make, .fini = course_folder_remove,
 Test(course_slow, solutions_pass_as_recorded_and_stubs_pass_nothing)
 {
     Manifest manifest = manifest_open("exercises/manifest.json", "tests/grade/manifest.schema.json");
-    const char *build = getenv("BUILD") && *getenv("BUILD") ? getenv("BUILD") : "build";
+    const char *named = getenv("BUILD"), *build = named && *named ? named : "build";
     for (int i = 0; i < 2 * manifest.count; i++) {
         const Entry *entry = &manifest.entries[i / 2];
         bool solved = i % 2;
@@ -70,7 +70,8 @@ Test(course_slow, measured_answers_are_measured_again)
             char *command = text_format(
                 "awk -v name=%s '/^.. measure: / { sub(/^.. measure: /, \"\"); command = $0 } $1 == name && "
                 "$2 == \"=\" { print "
-                "command; exit }' solutions/%s/%s | sed \"s,build/,$B/,g\" >$T/command; sh $T/command",
+                "command; exit }' solutions/%s/%s | sed \"s,build/,$B/,g\" >$T/command; sh $T/command "
+                "2>$T/notes",
                 check->name, entry->folder, entry->files[0]);
             const char *said = course_says(0, command);
             float *wanted = recorded_read("tests/data", entry, check, NULL);

@@ -21,7 +21,8 @@ void course_folder_make(void)
     strcpy(state.folder, "/tmp/course_XXXXXX");
     cr_assert(mkdtemp(state.folder));
     cr_assert_eq(chmod(state.folder, 0755), 0); // a confined child reads in it
-    state.build = realpath(getenv("BUILD") && *getenv("BUILD") ? getenv("BUILD") : "build", NULL);
+    const char *named = getenv("BUILD");
+    state.build = realpath(named && *named ? named : "build", NULL);
     cr_assert(state.build, "make builds first");
 }
 
@@ -79,7 +80,9 @@ void course_write(const char *name, const char *text)
     char *folder = text_format("%.*s", (int)(strrchr(path, '/') - path), path);
     folder_make(folder);
     FILE *file = fopen(path, "w");
-    cr_assert(file && fputs(text, file) >= 0 && fclose(file) == 0, "%s", path);
+    cr_assert(file, "%s", path);
+    bool written = fputs(text, file) >= 0;
+    cr_assert(fclose(file) == 0 && written, "%s", path);
     free(folder);
     free(path);
 }

@@ -23,15 +23,14 @@ char *grade_data(const char *name)
 
 void grade_case_open(GradeCase *one, uint64_t seed)
 {
-    const char *build = getenv("BUILD") && *getenv("BUILD") ? getenv("BUILD") : "build";
+    const char *named = getenv("BUILD"), *build = named && *named ? named : "build";
     *one = (GradeCase){.folder = "/tmp/test_grade_XXXXXX"};
     cr_assert(mkdtemp(one->folder));
     // A build folder whose stubs and solutions are these exercises'.
     char *mine = text_format("%s/build", one->folder);
     folder_make(mine);
-    for (const char *const *name =
-             (const char *const[]){"libcommon.a", "libtechniques.a", "exercise_commands", NULL};
-         *name; name++) {
+    for (const char *const *name = (const char *const[]){"libexercise.a", "exercise_commands", NULL}; *name;
+         name++) {
         char *from = text_format("%s/%s", build, *name);
         shell("ln -s \"$(realpath %s)\" %s/", from, mine);
         free(from);

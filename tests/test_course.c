@@ -29,6 +29,23 @@ Test(course, each_file_of_solutions_is_one_exercise_s)
            "same");
 }
 
+// What to read is "FILE.md: HEADING" (without its number) or "FILE: WORD"; anything else is plain words. A chapter that is not here cannot be asked.
+Test(course, what_is_to_be_read_is_there)
+{
+    EXPECT(0,
+           "jq -r '.exercises[].read[]' exercises/manifest.json >$T/read; grep '/' $T/read | grep -v 'the "
+           "commands$' | while "
+           "IFS= read -r line; do\n"
+           "file=${line%%:*} what=${line#*: }\n"
+           "[ \"$file\" != \"$line\" ] || { echo \"NO COLON: $line\"; continue; }\n"
+           "[ -e \"$file\" ] || { case $file in chapters/*|shaders/*) ;; *) echo \"NO FILE: $line\" ;; esac; "
+           "continue; }\n"
+           "case $file in *.md) sed -n 's/^##* \\([0-9]*\\. \\)\\{0,1\\}//p' $file | grep -qxF \"$what\" ;; "
+           "*) grep -qwF \"$what\" $file ;; esac || echo \"NOT THERE: $line\"\n"
+           "echo asked\ndone >$T/asked; grep -q asked $T/asked && ! grep -v asked $T/asked && echo right",
+           "right");
+}
+
 Test(course, a_marker_that_is_not_closed_is_named)
 {
     course_write("from/01_a/open.c", "#ifdef SOLUTION\nint right;\n#else\nint wrong;\n");
@@ -155,7 +172,7 @@ Test(course, a_program_that_crashes_or_writes_too_little_is_told_of)
     EXPECT(1, COURSE "check 01.3", "was ended by signal 6", "gdb", "01.3.given/simple.in");
     put_stub("winding.c", "windings, points)", "windings, points - 1)");
     EXPECT(1, COURSE "check 01.3", "its output has 252 bytes, not 256");
-    put_stub("winding.c", "return 0;", "return -2147483647; } int nan_(void) { return 0;");
+    put_stub("winding.c", "return 0;", "return -1000000; } int nan_(void) { return 0;");
     EXPECT(1, COURSE "check 01.3", "numbers are wrong");
 }
 
@@ -233,6 +250,34 @@ Test(course, a_handout_holds_no_answer)
     EXPECT(1, "sh tests/tools/handout.sh", "DIR=folder is needed");
 }
 
+// Root's children are a user that may not enter a folder such as /root; and a clone made under umask 077 is for its owner alone.
+Test(course, a_clone_in_a_closed_folder_can_be_worked_in)
+{
+    EXPECT(0,
+           "mkdir $T/home && sh tests/tools/handout.sh $T/home/clone 01.1 01.3 01.4 && chmod 700 $T/home && "
+           "chmod -R "
+           "go= $T/home/clone",
+           "3 exercises");
+#define HOME "cd $T/home/clone && $B/course --build $B --work $T/home/clone/work --progress $T/progress "
+    EXPECT(1, HOME "check 01.1", "0 of 3 checks pass");
+    EXPECT(1,
+           "sed -i 's/return 2;/return two;/' $T/home/clone/exercises/01_voxelization/dominant_axis.c; " HOME
+           "check 01.1",
+           "    exercises/01_voxelization/dominant_axis.c:17:12: error");
+    EXPECT(0,
+           "cp $B/solutions/01_voxelization/nearest.comp $T/home/clone/exercises/01_voxelization/ && " HOME
+           "check 01.4",
+           "01.4 is solved");
+    // Nothing is left behind, and the command that it names can be run.
+    EXPECT(0,
+           "sed -i 's/(void)a, (void)b, (void)p;/abort();/' "
+           "$T/home/clone/exercises/01_voxelization/winding.c; export TMPDIR=$T; " HOME
+           "check 01.3 >$T/said; cat $T/said; $(sed -n 's/^ *\\(.*program .*in .*out\\)$/\\1/p' $T/said); [ "
+           "$? = 134 ] && "
+           "! ls -d $T/check_* 2>/dev/null",
+           "was ended by signal 6");
+}
+
 // The commands work there, on the objects that are built here.
 Test(course, a_handout_can_be_worked_in)
 {
@@ -249,5 +294,11 @@ Test(course, a_handout_can_be_worked_in)
            "check 01.4",
            "01.4 is solved");
     EXPECT(1, THERE "solution 01.4", "handed out without solutions");
+    EXPECT(1, "mv $T/handout/exercises/01_voxelization/dominant_axis.c $T; " THERE "check 01.1",
+           "Take it from the tree");
+    EXPECT(2, "cd $T/handout && make exercises", "make exercises needs solutions and tests", "make next");
+    EXPECT(2, "cd $T/handout && make record EX=01.1 | wc -l; make record", "make record needs solutions");
+    const char *help = course_says(0, "cd $T/handout && make help");
+    cr_assert(strstr(help, "  check ") && !strstr(help, "  record "), "%s", help);
     EXPECT(0, THERE "progress", "[x] 01.4", "8 of 8 points");
 }

@@ -160,7 +160,8 @@ Test(grade, what_the_machine_cannot_do_is_not_graded, .timeout = SECONDS)
 {
     GradeCase one;
     grade_case_open(&one, 7);
-    unlink("libcommon.a"); // in the scratch folder: neither the solution's program nor anyone's can be linked
+    unlink(
+        "libexercise.a"); // in the scratch folder: neither the solution's program nor anyone's can be linked
     Verdicts verdicts = grade_case_judge(&one, "01.1");
     cr_assert_eq(verdicts.list[0].grade, GRADE_NOT_GRADED);
     cr_assert_eq(verdicts.list[1].grade, GRADE_NOT_GRADED);
@@ -174,7 +175,7 @@ Test(grade, a_machine_that_fails_midway_is_not_the_students_fault, .timeout = SE
     grade_case_open(&one, 7);
     Reference reference = reference_make(&one.judge, manifest_find(&one.manifest, "01.1"));
     cr_assert_null(reference.why, "%s", reference.why);
-    unlink("libcommon.a");
+    unlink("libexercise.a");
     Verdicts verdicts = judge_submission(&one.judge, &reference, one.submission);
     cr_assert_eq(verdicts.list[1].grade, GRADE_NOT_GRADED, "%s", verdicts.list[1].text);
     verdicts_free(&verdicts);
@@ -284,5 +285,26 @@ Test(grade, no_number_stands_where_a_check_was_not_graded)
     cr_assert_eq(strncmp(score, "not graded", 10), 0, "%s", score);
     free(score);
     free(path);
+    confine_folder_remove(folder);
+}
+
+// A grader that is killed, or that fails on its way, cannot remove its scratch folder: the next one does; but none that is in use, new or not its own.
+Test(grade, what_a_killed_grader_left_is_removed, .timeout = SECONDS)
+{
+    char folder[] = "/tmp/test_scratch_XXXXXX", found[256];
+    cr_assert(mkdtemp(folder) && setenv("TMPDIR", folder, 1) == 0);
+    cr_assert_eq(system("cd $TMPDIR && mkdir -p grade_killed/sub grade_recent grade_longer_name other_killed "
+                        "&& chmod 0 grade_killed/sub"),
+                 0);
+    ConfineScratch used = confine_scratch_open("grade");
+    cr_assert_eq(system("cd $TMPDIR && touch -d '1 hour ago' * && touch grade_recent"), 0);
+    ConfineScratch next = confine_scratch_open("grade");
+    FILE *list = popen("cd $TMPDIR && echo *killed* *longer* *recent*", "r");
+    cr_assert(fgets(found, sizeof found, list));
+    pclose(list);
+    cr_expect_str_eq(found, "other_killed grade_longer_name grade_recent\n");
+    cr_expect(access(used.path, F_OK) == 0 && access(next.path, F_OK) == 0);
+    confine_scratch_close(&next);
+    confine_scratch_close(&used);
     confine_folder_remove(folder);
 }

@@ -12,38 +12,6 @@ enum { MEGABYTE = 1 << 20, WORDS_MOST = 200 };
 static const ConfineLimits build_limits = {60, 60, 1024u * MEGABYTE, 64 * MEGABYTE, 64, 256 * 1024, 32};
 static const ConfineLimits run_limits = {10, 20, 1024u * MEGABYTE, 16 * MEGABYTE, 64, 64 * 1024, 64};
 
-static char *absolute(const char *path)
-{
-    char *real = realpath(path, NULL);
-    if (!real)
-        fail_work("%s: %s", path, strerror(errno));
-    return real;
-}
-
-Attempt attempt_open(const Entry *entry, const char *tree, const char *build, const char *folder)
-{
-    // What the children are given lies beside what they may write: nothing that one of them leaves behind can lead the next input astray.
-    char *given = text_format("%s.given", folder);
-    folder_make(folder);
-    folder_make(given);
-    confine_folder_remove(folder);
-    confine_folder_remove(given);
-    confine_folder(folder);
-    folder_make(given);
-    Attempt attempt = {entry, absolute(tree), absolute(folder), absolute(given), absolute(build)};
-    free(given);
-    return attempt;
-}
-
-void attempt_close(Attempt *attempt)
-{
-    free(attempt->tree);
-    free(attempt->folder);
-    free(attempt->given);
-    free(attempt->build);
-    *attempt = (Attempt){0};
-}
-
 // --- building
 
 typedef struct Words {
@@ -89,7 +57,7 @@ ConfineResult attempt_build(const Attempt *attempt, const char *const *flags)
     char *file = text_format("%s/exercise_commands", attempt->build), *text = file_read(file, NULL);
     if (!text)
         fail_work("%s: %s; make writes it", file, strerror(errno));
-    char *root = absolute(".");
+    const char *root = attempt->root;
     Words words = {0};
     add(&words, text_format("/usr/bin/env")); // finds the compiler
     const char *link = add_lines(&words, text, root);
@@ -100,15 +68,14 @@ ConfineResult attempt_build(const Attempt *attempt, const char *const *flags)
         if (!strcmp(ending, ".c"))
             add(&words, text_format("%s/%s/%s", attempt->tree, attempt->entry->folder, name));
     }
-    char *techniques = text_format("%s/libtechniques.a", attempt->build);
-    char *common = text_format("%s/libcommon.a", attempt->build), *headers = text_format("%s/common", root);
-    add(&words, text_format("%s", techniques));
-    add(&words, text_format("%s", common));
+    char *library = text_format("%s/libexercise.a", attempt->build),
+         *headers = text_format("%s/common", root);
+    add(&words, text_format("%s", library));
     add_lines(&words, link, root);
     add(&words, text_format("-o"));
     add(&words, text_format("%s/program", attempt->folder));
     // Not the whole of root: a file of solutions/ is not to be included.
-    const char *const readable[] = {headers, techniques, common, attempt->tree, NULL};
+    const char *const readable[] = {headers, library, attempt->tree, NULL};
     ConfineResult result = confine_run(&(Confine){.command = (const char *const *)words.list,
                                                   .folder = attempt->folder,
                                                   .readable = readable,
@@ -123,10 +90,8 @@ ConfineResult attempt_build(const Attempt *attempt, const char *const *flags)
     free(kept);
     for (int i = 0; i < words.count; i++)
         free(words.list[i]);
-    free(techniques);
     free(headers);
-    free(common);
-    free(root);
+    free(library);
     free(text);
     free(file);
     return result;
@@ -158,6 +123,8 @@ static void gl_environment(const char *list[8], char *made[8])
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (getenv(names[i]))
             list[count] = made[count] = text_format("%s=%s", names[i], getenv(names[i])), count++;
+    // Built with sanitizers: what a driver leaks is not the program's fault.
+    list[count] = made[count] = text_format("ASAN_OPTIONS=detect_leaks=0"), count++;
     list[count] = made[count] = NULL;
 }
 
@@ -204,14 +171,12 @@ static void run_program(const Attempt *attempt, const Check *check, uint64_t see
 Outcome attempt_run(const Attempt *attempt, const Check *check, uint64_t seed)
 {
     Outcome outcome = {0};
-    char *root = absolute(".");
     if (attempt->entry->kind == EXERCISE_MEASURE)
         answer(attempt, check, &outcome);
     else
-        run_program(attempt, check, seed, root, &outcome);
+        run_program(attempt, check, seed, attempt->root, &outcome);
     if (outcome.why)
-        shorten(outcome.why, root);
-    free(root);
+        shorten(outcome.why, attempt->root);
     return outcome;
 }
 

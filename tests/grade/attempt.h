@@ -8,15 +8,25 @@
 
 typedef struct Attempt {
     const Entry *entry;
-    char *tree;   // absolute, as the two below
+    char *root; // the project's folder, for common/ and shaders/; absolute, as all below
+    char *tree;
     char *folder; // the one that the children may write; it belongs to the attempt
     char *given;  // FOLDER.given: the inputs, which they may read
-    char *build;  // where make has put libcommon.a, libtechniques.a and exercise_commands
+    char *build;  // where make has put libexercise.a and exercise_commands
+    char *
+        kept; // where `given` is copied to at the end, if the attempt takes place in a scratch folder; else NULL
+    ConfineScratch place; // that folder
 } Attempt;
 
-// `folder` is emptied. Ends the program where there is no tree or no build.
+// --- attempt_place.c
+// The working folder is the project's. `folder` is emptied. Where root's children could not read what they need (a clone below /root), the attempt
+// takes place on copies in a scratch folder. Ends the program where there is no tree or no build.
 Attempt attempt_open(const Entry *entry, const char *tree, const char *build, const char *folder);
 void attempt_close(Attempt *attempt); // the folder stays
+// Where inputs and program lie once the attempt is closed.
+const char *attempt_kept(const Attempt *attempt);
+
+// --- attempt.c
 
 // Compile and link to FOLDER/program. `flags`: further words for the compiler (NULL ends; the pointer may be NULL). Not for measure exercises.
 // The result's text is what the compiler said, file names relative to the working folder; CONFINE_EXIT with status 0 is success.

@@ -31,7 +31,9 @@ static bool files_there(const Course *course, const Entry *entry)
     for (int i = 0; i < entry->file_count; i++) {
         char *path = course_path(course, entry, i);
         if (access(path, R_OK) != 0) {
-            printf("  %s is missing. make exercises brings the stub back.\n", path);
+            printf("  %s is missing. %s\n", path,
+                   access(course->solutions, F_OK) == 0 ? "make exercises brings the stub back."
+                                                        : "Take it from the tree that you were handed out.");
             there = false;
         }
         free(path);
@@ -63,6 +65,12 @@ typedef struct Results {
     int passing;
 } Results;
 
+// After one that did not end: it would hang here, too.
+static bool not_run(const Results *results, int i)
+{
+    return i > 0 && results->outcomes[i - 1].end == CONFINE_WALL;
+}
+
 static Results results_make(const Course *course, const Attempt *attempt)
 {
     const Entry *entry = attempt->entry;
@@ -74,7 +82,7 @@ static Results results_make(const Course *course, const Attempt *attempt)
     for (int i = 0; i < entry->check_count; i++) {
         const Check *check = &entry->checks[i];
         results.wanted[i] = recorded_read(course->data, entry, check, NULL);
-        if (i && results.outcomes[i - 1].end == CONFINE_WALL) { // it would hang here, too
+        if (not_run(&results, i)) {
             results.outcomes[i] = (Outcome){.why = text_format("was not run again"), .end = CONFINE_WALL};
             continue;
         }
@@ -113,15 +121,15 @@ static void say_failed_run(const Attempt *attempt, const Check *check, const Out
              TEXT_LINES / 2); // what fail_work begins with
     if (outcome->end == CONFINE_SIGNAL || outcome->end == CONFINE_WALL)
         printf("%*sRun it yourself, under gdb say:\n%*s%s/program %s/%s.in /tmp/out\n", INDENT, "",
-               INDENT + 2, "", attempt->folder, attempt->given, check->name);
+               INDENT + 2, "", attempt_kept(attempt), attempt_kept(attempt), check->name);
 }
 
-static void say_verdict(const Check *check, bool passes)
+static void say_verdict(const Check *check, const char *verdict)
 {
-    char *text = check->points > 0
-                     ? text_format("%s: %s (%g points)", check->name, check->asks, check->points)
-                     : text_format("%s: %s", check->name, check->asks);
-    say_wrapped(2, passes ? "ok" : "WRONG", text);
+    char *text = check->points > 0 ? text_format("%s: %s (%g point%s)", check->name, check->asks,
+                                                 check->points, check->points == 1 ? "" : "s")
+                                   : text_format("%s: %s", check->name, check->asks);
+    say_wrapped(2, verdict, text);
     free(text);
 }
 
@@ -160,8 +168,8 @@ static void say_results(const Course *course, const Attempt *attempt, const Resu
         const Check *check = &entry->checks[i];
         const Outcome *outcome = &results->outcomes[i];
         bool passes = results->passes[i];
-        say_verdict(check, passes);
-        if (passes && entry->kind == EXERCISE_MEASURE)
+        say_verdict(check, passes ? "ok" : not_run(results, i) ? "not run" : "WRONG");
+        if (passes && outcome->values && entry->kind == EXERCISE_MEASURE)
             printf("          %.7g (%s)\n", (double)outcome->values[0], outcome->text);
         if (passes || told)
             continue;
@@ -189,7 +197,10 @@ static void say_end(const Course *course, const Entry *entry, const Results *res
     }
     if (results->passing == entry->check_count) {
         const Entry *next = progress_next(course);
-        printf("  %s is solved. Ours, to compare: make solution EX=%s\n", entry->id, entry->id);
+        printf("  %s is solved.", entry->id);
+        if (access(course->solutions, F_OK) == 0)
+            printf(" Ours, to compare: make solution EX=%s", entry->id);
+        putchar('\n');
         if (next)
             printf("  Next: %s %s (make next)\n", next->id, next->title);
         else

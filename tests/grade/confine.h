@@ -66,6 +66,19 @@ void confine_without_bubblewrap(void);
 // Make a folder that the child may write; hand a file or folder to the child's user; remove a folder and all in it, whatever the child left.
 void confine_folder(const char *path);
 void confine_folder_remove(const char *path);
+// A file or a folder with all in it, links followed; `to` is a folder. Ends the program where that fails.
+void confine_folder_copy(const char *from, const char *to);
+// Lets every user read what is in it.
+void confine_folder_open(const char *path);
+
+// --- confine_scratch.c
+typedef struct ConfineScratch {
+    char *path; // /tmp/KIND_XXXXXX, or in TMPDIR; others may enter it and not list it
+    int lock;   // held while it is in use
+} ConfineScratch;
+// A new one; what others of this kind left behind is removed first: a grader that was killed, or ended early, cannot.
+ConfineScratch confine_scratch_open(const char *kind);
+void confine_scratch_close(ConfineScratch *scratch);
 
 // A file that a child left in its folder, read without following a link: exactly `bytes`, a regular file with
 // one name. NULL where it is not, and *why is then a clause that says so ("is missing", "has 12 bytes, not 16"); both are the caller's to free.

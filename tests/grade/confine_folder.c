@@ -41,6 +41,21 @@ void confine_folder_remove(const char *path)
         note("%s: not removed", path);
 }
 
+void confine_folder_copy(const char *from, const char *to)
+{
+    const char *const command[] = {"cp", "-RL", "--", from, to, NULL};
+    pid_t process;
+    int status = 1;
+    if (posix_spawnp(&process, command[0], NULL, NULL, (char *const *)command, environ) != 0 ||
+        waitpid(process, &status, 0) != process || status != 0)
+        fail_work("%s: cannot be copied to %s", from, to);
+}
+
+void confine_folder_open(const char *path)
+{
+    run_quietly((const char *const[]){"chmod", "-R", "go+rX", "--", path, NULL});
+}
+
 void *confine_read(const char *folder, const char *name, size_t bytes, char **why)
 {
     *why = NULL;

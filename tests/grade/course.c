@@ -5,6 +5,7 @@
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static Course course_open(int argc, char **argv)
 {
@@ -53,6 +54,7 @@ static const Entry *entry_named(const Course *course, const char *command, const
 
 int main(int argc, char **argv)
 {
+    umask(022); // children of root's are another user, who must read what is made here
     Course course = course_open(argc, argv);
     const char *command = optind < argc ? argv[optind] : "",
                *id = optind + 1 < argc ? argv[optind + 1] : NULL;

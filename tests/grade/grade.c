@@ -93,6 +93,7 @@ static void print(const Verdicts *verdicts)
 
 int main(int argc, char **argv)
 {
+    umask(022); // children of root's are another user, who must read what is made here
     Request request = request_of(argc, argv);
     Manifest manifest = manifest_open("exercises/manifest.json", "tests/grade/manifest.schema.json");
     require_known(&request, &manifest);

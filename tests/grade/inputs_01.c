@@ -158,7 +158,7 @@ static void thin_small(Input *input, const Shape *shape, uint64_t *random)
     enum { COUNT = 40 };
     grid_head(input, shape);
     for (int i = 0; i < COUNT; i++) {
-        int corner[9];
+        int corner[9] = {0};
         int64_t normal[3];
         do {
             for (int k = 0; k < 9; k++) {

@@ -196,8 +196,8 @@ static void map_head(Input *input, uint64_t *random, int low, int high, int hole
 static bool is_blocked(const Input *input, const double receiver[4])
 {
     for (int i = 0; i < MAP * MAP; i++) {
-        double right = i % MAP + 0.5 - receiver[0], up = i / MAP + 0.5 - receiver[1],
-               inside = receiver[3] - 0.25;
+        int column = i % MAP, row = i / MAP;
+        double right = column + 0.5 - receiver[0], up = row + 0.5 - receiver[1], inside = receiver[3] - 0.25;
         if (right * right < inside * inside && up * up < inside * inside &&
             (double)input->values[2 + i] < receiver[2] - 1.0 / 64)
             return true;

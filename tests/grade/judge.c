@@ -4,44 +4,29 @@
 
 #include <errno.h>
 #include <math.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-static void copy_all(const char *from, const char *to)
-{
-    const char *const command[] = {"cp", "-RL", "--", from, to, NULL};
-    pid_t process;
-    int status = 1;
-    if (posix_spawnp(&process, command[0], NULL, NULL, (char *const *)command, environ) != 0 ||
-        waitpid(process, &status, 0) != process || status != 0)
-        fail_work("%s: cannot be copied to %s", from, to);
-}
 
 Judge judge_open(const Manifest *manifest, const char *build, uint64_t seed)
 {
-    const char *temporary = getenv("TMPDIR");
-    Judge judge = {.manifest = manifest, .seed = seed};
-    judge.scratch = text_format("%s/grade_XXXXXX", temporary && temporary[0] == '/' ? temporary : "/tmp");
-    if (!mkdtemp(judge.scratch) || chmod(judge.scratch, 0711) != 0)
-        fail_work("%s: %s", judge.scratch, strerror(errno));
-    static const char *const made[] = {"libcommon.a", "libtechniques.a", "exercise_commands"};
+    Judge judge = {.manifest = manifest, .place = confine_scratch_open("grade"), .seed = seed};
+    judge.scratch = judge.place.path;
+    static const char *const made[] = {"libexercise.a", "exercise_commands"};
     for (size_t i = 0; i < sizeof made / sizeof *made; i++) {
         char *file = text_format("%s/%s", build, made[i]);
-        copy_all(file, judge.scratch);
+        confine_folder_copy(file, judge.scratch);
         free(file);
     }
     // What only references may see lies in a folder that is shut while anything else runs.
     char *reference = text_format("%s/reference", judge.scratch), *stubs = text_format("%s/stubs", build);
     char *solutions = text_format("%s/solutions", build), *kept = text_format("%s/solutions", reference);
     folder_make(reference);
-    copy_all(solutions, kept);
-    copy_all(stubs, judge.scratch);
-    copy_all("common", judge.scratch);
-    copy_all("shaders", judge.scratch);
+    confine_folder_copy(solutions, kept);
+    confine_folder_copy(stubs, judge.scratch);
+    confine_folder_copy("common", judge.scratch);
+    confine_folder_copy("shaders", judge.scratch);
     judge.trees = (Trees){text_format("%s/stubs", judge.scratch), kept};
     if (chmod(reference, 0700) != 0 || chdir(judge.scratch) != 0)
         fail_work("%s: %s", judge.scratch, strerror(errno));
@@ -54,10 +39,9 @@ Judge judge_open(const Manifest *manifest, const char *build, uint64_t seed)
 void judge_close(Judge *judge)
 {
     (void)!chdir("/");
-    confine_folder_remove(judge->scratch);
+    confine_scratch_close(&judge->place);
     free((char *)judge->trees.stubs);
     free((char *)judge->trees.solutions);
-    free(judge->scratch);
     *judge = (Judge){0};
 }
 

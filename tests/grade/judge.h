@@ -11,11 +11,12 @@
 typedef struct Judge {
     const Manifest *manifest;
     Trees trees;
-    char *scratch;
+    ConfineScratch place;
+    const char *scratch; // its path
     uint64_t seed;
     const char *const *flags; // for the compiler, as attempt_build takes them
 } Judge;
-// `build`: where make has put libcommon.a, libtechniques.a, exercise_commands, stubs/ and solutions/. Called in the project's folder.
+// `build`: where make has put libexercise.a, exercise_commands, stubs/ and solutions/. Called in the project's folder.
 Judge judge_open(const Manifest *manifest, const char *build, uint64_t seed);
 void judge_close(Judge *judge);
 

@@ -63,7 +63,7 @@ int course_progress(const Course *course)
         double worth = entry_points(entry);
         points += passes ? worth : 0;
         of += worth;
-        printf("  %s %-6s%-34s %-9s",
+        printf("  %s %-6s%-37s %-9s",
                passes ? "[x]"
                : was  ? "[!]"
                       : "[ ]",
@@ -93,6 +93,7 @@ int course_hint(Course *course, const Entry *entry)
 {
     static const char *const rungs[] = {"a nudge", "the idea", "the outline"};
     int read = progress_hints(course, entry), last = read < 3 ? read : 2;
+    // One at a time; once all are read, all of them.
     printf("%s  %s\n\n", entry->id, entry->title);
     for (int i = read < 3 ? read : 0; i <= last; i++) {
         char *label = text_format("Hint %d", i + 1);
@@ -142,7 +143,7 @@ int course_solution(const Course *course, const Entry *entry)
         char *path = text_format("%s/%s/%s", course->solutions, entry->folder, entry->files[i]);
         char *text = file_read(path, NULL);
         if (!text) {
-            printf("%s: this tree was handed out without solutions; ask who handed it out.\n", path);
+            puts("This tree was handed out without solutions: ask for them where you have it from.");
             free(path);
             return 1;
         }

@@ -136,7 +136,7 @@ static bool chosen(int argc, char **argv, const Entry *entry)
 
 int main(int argc, char **argv)
 {
-    const char *build = getenv("BUILD") && *getenv("BUILD") ? getenv("BUILD") : "build";
+    const char *named = getenv("BUILD"), *build = named && *named ? named : "build";
     Manifest manifest = manifest_open("exercises/manifest.json", "tests/grade/manifest.schema.json");
     char *place = text_format("%s/wrong", build), *wrong = realpath(place, NULL),
          *data = realpath("tests/data", NULL);

@@ -138,7 +138,7 @@ static char *absolute(const char *folder)
 
 int main(int argc, char **argv)
 {
-    const char *build = getenv("BUILD") && *getenv("BUILD") ? getenv("BUILD") : "build";
+    const char *named = getenv("BUILD"), *build = named && *named ? named : "build";
     Manifest manifest = manifest_open("exercises/manifest.json", "tests/grade/manifest.schema.json");
     char *wrong = text_format("%s/wrong", build);
     Proof proof = {.data = absolute("tests/data"), .wrong = absolute(wrong)};

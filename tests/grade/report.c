@@ -36,11 +36,17 @@ static void say_input(const Input *input, size_t item)
         return;
     const float *values = input->values + input->head + input->stride * item;
     size_t shown = input->stride < INPUT_MOST ? input->stride : INPUT_MOST, group = shown % 3 ? shown : 3;
-    printf("%*sits input: ", INDENT, "");
+    char *text = NULL;
+    size_t bytes = 0;
+    FILE *out = open_memstream(&text, &bytes);
+    fputs("its input:", out);
     for (size_t i = 0; i < shown; i++)
-        printf("%s%.7g%s", i % group == 0 ? "(" : "", (double)values[i],
-               i % group == group - 1 || i == shown - 1 ? ") " : ", ");
-    printf("%s\n", shown < input->stride ? "…" : "");
+        fprintf(out, " %s%.7g%s", i % group == 0 ? "(" : "", (double)values[i],
+                i % group == group - 1 || i == shown - 1 ? ")" : ",");
+    fputs(shown < input->stride ? " …" : "", out);
+    fclose(out);
+    say_wrapped(INDENT, "", text);
+    free(text);
 }
 
 // --- the map: a letter an item

@@ -13,7 +13,7 @@ rm -rf "$mutants" && mkdir -p "$whole/build" || exit 1
 # Objects of build/ come with their times, so that only what has changed since is compiled.
 cp -a Makefile common chapters shaders tests "$whole" || exit 1
 for part in exercises solutions; do if [ -d $part ]; then cp -a $part "$whole"; fi; done
-for part in obj libcommon.a libtechniques.a flags members mesa-cache; do
+for part in obj libcommon.a libtechniques.a libexercise.a flags members mesa-cache; do
     if [ -e "build/$part" ]; then cp -a "build/$part" "$whole/build/"; fi
 done
 unset MAKEFLAGS MFLAGS BUILD
