@@ -95,13 +95,14 @@ Test(program, only_the_picture_that_is_shown_is_made)
         {"--step walk --everything", {true, true, true, true, true, true, true, true, true, true}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char *plan = plan_of(cases[i].arguments);
+        char *arguments = text_format("--scene cornell %s", cases[i].arguments), *plan = plan_of(arguments);
         for (int k = 0; k < PASSES; k++) {
             char *line = text_format("\n%s  ", passes[k]);
             if (cases[i].runs[k] || strstr(plan, line)) // what comes after the step is not in the plan
                 cr_assert_eq(ran(plan, passes[k]), cases[i].runs[k], "%s: %s", cases[i].arguments, passes[k]);
             free(line);
         }
+        free(arguments);
         free(plan);
     }
 }

@@ -187,8 +187,10 @@ int main(int argc, char **argv)
             const char *no_mesh = !show_mesh ? NOT_SHOWN : SAME_VIEW;
             if (run_pass_common(run, "depth maps", show_mesh && new_lights && lit,
                                 lit ? no_mesh : "the scene has no light"))
-                for (size_t i = 0; i < scene->light_count; i++)
+                for (size_t i = 0; i < scene->light_count; i++) {
+                    raster_depth_map_aim(&maps[i], scene, &scene->lights[i], NULL, run_aspect(run));
                     raster_depth_map_draw(raster, &maps[i], &scene->lights[i], &mesh);
+                }
             if (run_pass_common(run, "G-buffer", show_mesh && new_eye, no_mesh))
                 raster_gbuffer_draw(raster, &gbuffer, &camera, &mesh);
             if (run_pass_common(run, "light and lines", show_mesh && (new_eye || new_lights), no_mesh)) {

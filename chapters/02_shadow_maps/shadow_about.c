@@ -147,7 +147,7 @@ static const RunRow sweep[] = {
     }
 #define BOUNCED(name, scene, settings)                                                                       \
     {                                                                                                        \
-        name, scene, "trial=bounce samples=400 " settings, "48x48"                                           \
+        name, scene, "trial=bounce samples=400 " settings, "48x35"                                           \
     }
 static const RunRow stability[] = {
     CASE("plate, spot", "plate", "resolution=2048 filter=nearest"),

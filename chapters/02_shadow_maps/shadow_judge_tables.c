@@ -175,7 +175,7 @@ static const double BORDER_SHARE = 0.01;
 
 // Texels add up in single precision and read solid angles of their own: 24 576 of them leave 1e-5.
 static const double FLUX_SHARE = 1e-4;
-// The mean of 2304 pixels of 400 texels each, and the truth's of 256 samples, both within 1/2 %; light close to the room's edges comes from texels wider
+// The mean of 1680 pixels of 400 texels each, and the truth's of 256 samples, both within 1/2 %; light close to the room's edges comes from texels wider
 // than its distance from them.
 static const double MEAN_SHARE = 0.02;
 
