@@ -82,9 +82,9 @@ const char *run_choice(const Run *run, const char *name);
 bool run_chosen(const Run *run, const char *name, const char *choice);
 // 0, 1, …: fixed steps of 1/60 s for animation. Warm-up and repeats of a measurement are all frame 0, so what is built in frame 0 is measured.
 int run_frame_number(const Run *run);
-bool run_everything(const Run *run);      // --everything: what a pass does inside leaves nothing out either
-uint64_t run_seed(const Run *run);        // --seed: what is random is drawn from it
-bool run_deforming(const Run *run); // --path deform: the scene of frame n is moved by the chapter's own rule
+bool run_everything(const Run *run); // --everything: what a pass does inside leaves nothing out either
+uint64_t run_seed(const Run *run);   // --seed: what is random is drawn from it
+bool run_deforming(const Run *run);  // --path deform: the scene of frame n is moved by the chapter's own rule
 const char *run_case(const Run *run);     // name of the sweep row or stability case, or NULL
 bool run_measuring_error(const Run *run); // this setting wants run_error (a sweep)
 bool run_checking(const Run *run);        // this setting wants run_check (a stability case)

@@ -16,7 +16,6 @@
 
 #include <stdlib.h>
 
-
 static bool is_set(const vec3 p[3], vec3 centre)
 {
     // Yours: this sets nothing.

@@ -38,8 +38,8 @@ static bool crosses(const vec3 p[3], vec3 centre, int axis)
     float distance = vec3_dot(normal, p[0] - centre), half = 0.5f * facing;
     return facing > 0.0f ? -half <= distance && distance < half : -half >= distance && distance > half;
 }
-#endif
 
+#endif
 static bool is_set(const vec3 p[3], vec3 centre)
 {
 #ifdef SOLUTION

@@ -4,7 +4,8 @@
 #   exercises.sh solutions TO [FROM]  a tree of solutions
 #   exercises.sh wrong ID NAME TO     a tree of solutions with the mistake tests/mutants/exercises/ID/NAME.diff in it
 #   exercises.sh update [FROM TO]     (make exercises) bring exercises/ up to date; a file that is not exactly an earlier stub is somebody's work and is
-#                                     left alone, named, and the status is 1. TO/.stubs holds the checksum of every stub ever made.
+#                                     left alone, named, and the status is 1. tests/data/stubs.txt (of another TO: TO.stubs.txt) holds the checksum of
+#                                     every stub ever made.
 #   exercises.sh compare [FROM TO]    fail where exercises/ does not hold the stubs as they are made now
 set -eu
 fail() { echo "exercises: $*" >&2; exit 1; }
@@ -29,9 +30,9 @@ tree() # -U|-D FROM TO
     for file in $(sources "$2"); do cut_file "$1" "$2/$file" "$3/$file"; done
 }
 
-update() # FROM TO
+update() # FROM TO CHECKSUMS
 {
-    known=$2/.stubs new=$(mktemp)
+    known=$3 new=$(mktemp)
     trap 'rm -f "$new"' EXIT
     mkdir -p "$2"
     [ -e "$known" ] || echo "# The checksum of every stub that make exercises has ever made: a file that has one holds no work of yours." >"$known"
@@ -83,7 +84,7 @@ case ${1:-} in
 stubs) tree -U "${3:-solutions}" "${2:?a folder to write}" ;;
 solutions) tree -D "${3:-solutions}" "${2:?a folder to write}" ;;
 wrong) wrong "${2:?an exercise}" "${3:?a mistake}" "${4:?a folder to write}" ;;
-update) update "${2:-solutions}" "${3:-exercises}" ;;
+update) if [ $# -ge 3 ]; then update "$2" "$3" "$3.stubs.txt"; else update solutions exercises tests/data/stubs.txt; fi ;;
 compare) compare "${2:-solutions}" "${3:-exercises}" ;;
 *) fail "stubs TO, solutions TO, wrong ID NAME TO, update or compare is needed" ;;
 esac
