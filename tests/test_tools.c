@@ -105,6 +105,26 @@ Test(tools, an_allowed_include_passes)
     cr_assert_eq(status, 0, "truth may include scene: %s", printed);
 }
 
+// --- figures
+
+Test(tools, a_figure_shows_the_rows_that_are_asked_for)
+{
+    const char *make =
+        "F=$(cd $ROOT && realpath ${BUILD:-build})/figure; cd $T; { echo "
+        "chapter,technique,scene,width,height,settings,ms_technique,ms_min,ms_max,ms_frame,reference,metric,"
+        "error;"
+        "for t in brute swift; do for r in truth converged; do echo 09_a,$t,box,8,8,n=1,2,1,3,2,$r,e,0.5; "
+        "done; done; }"
+        " >s.csv; figure() { $F s.csv --metric e \"$@\" $T/a.svg >$T/said 2>&1; };"
+        "has() { grep -q \"$1\" a.svg || { echo no $1; exit 1; }; }; hasnt() { if grep -q \"$1\" a.svg; then "
+        "echo $1; exit 1; fi; };"
+        "figure; has 'brute, reference truth'; has 'swift, reference converged';"
+        "figure --technique 's*'; has swift; hasnt brute;"
+        "figure --reference truth; has brute; has swift; hasnt converged; hasnt 'reference truth';"
+        "! figure --reference nobody && grep -q nobody said";
+    cr_assert_eq(shell(make), 0, "%s", printed);
+}
+
 // --- line counts: 400 is allowed, 401 is not
 
 Test(tools, a_file_of_401_lines_is_found)

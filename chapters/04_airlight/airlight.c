@@ -115,7 +115,6 @@ void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera
     const Shader *shader = airlight->shader[map->kind];
     const vec3 eye_from_origin = camera->eye - map->origin, scattering = scene->medium.scattering;
     const vec3 extinction = scattering + scene->medium.absorption;
-    const bool spot = light->kind == LIGHT_SPOT;
     gl.BindImageTexture(0, picture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     gl.BindImageTexture(1, gbuffer->distance, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32F);
     gl.BindImageTexture(2, map->distance, 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32F);
@@ -125,11 +124,7 @@ void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera
     raster_set_camera(shader, camera, (float)gbuffer->width / (float)gbuffer->height);
     shader_set_mat4(shader, "to_clip", (const float *)&map->to_clip);
     shader_set_vec3(shader, "eye_from_origin", (const float *)&eye_from_origin);
-    shader_set_vec3(shader, "light_direction", (const float *)&light->direction);
-    shader_set_vec3(shader, "light_intensity", (const float *)&light->intensity);
-    shader_set_float(shader, "light_radius", light->radius);
-    shader_set_vec2(shader, "light_cone", spot ? sinf(light->half_angle_rad) : 0.0f,
-                    spot ? cosf(light->half_angle_rad) : -1.0f);
+    raster_set_light(shader, light);
     shader_set_vec3(shader, "scattering", (const float *)&scattering);
     shader_set_vec3(shader, "extinction", (const float *)&extinction);
     shader_set_float(shader, "mean_cosine", scene->medium.mean_cosine);

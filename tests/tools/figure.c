@@ -1,6 +1,6 @@
 // figure: work-precision diagrams from the CSV file that --sweep wrote: one figure a scene.
 //
-//     build/figure SWEEP.csv --metric NAME [--scene SCENE] [--technique PATTERN] OUT.svg|OUT.png
+//     build/figure SWEEP.csv --metric NAME [--scene SCENE] [--technique PATTERN] [--reference NAME] OUT.svg|OUT.png
 //
 // With several scenes each figure's name carries its scene: OUT-cornell.svg.
 #include <argp.h>
@@ -12,7 +12,7 @@
 #include "measure.h"
 
 typedef struct Request {
-    const char *sweep, *out, *metric, *scene, *technique;
+    const char *sweep, *out, *metric, *scene, *technique, *reference;
 } Request;
 
 static const struct argp_option options[] = {
@@ -20,6 +20,7 @@ static const struct argp_option options[] = {
     {"scene", 's', "SCENE", 0, "Only this scene (default: a figure each)", 0},
     {"technique", 't', "PATTERN", 0,
      "Only techniques whose names fit, as file names in a shell: 'bias*', '@(cube|rays)'", 0},
+    {"reference", 'r', "NAME", 0, "Only errors against this: truth, converged", 0},
     {0},
 };
 
@@ -35,6 +36,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case 't':
         request->technique = argument;
+        return 0;
+    case 'r':
+        request->reference = argument;
         return 0;
     case ARGP_KEY_ARG:
         if (state->arg_num >= 2)
@@ -69,6 +73,7 @@ static bool same(const CsvTable *table, size_t row, const char *header, const ch
 static bool wanted(const CsvTable *table, size_t row, const Request *request)
 {
     return same(table, row, "metric", request->metric) && same(table, row, "scene", request->scene) &&
+           same(table, row, "reference", request->reference) &&
            (!request->technique ||
             fnmatch(request->technique, csv_table_field(table, row, "technique"), FNM_EXTMATCH) == 0);
 }
@@ -147,9 +152,10 @@ int main(int argc, char **argv)
             scenes[count++] = csv_table_field(&table, row, "scene");
     }
     if (!count)
-        fail_request("%s: no row has metric '%s'%s%s%s%s; the first row's metric is '%s'", request.sweep,
+        fail_request("%s: no row has metric '%s'%s%s%s%s%s%s; the first row's metric is '%s'", request.sweep,
                      request.metric, request.scene ? " and scene " : "", request.scene ? request.scene : "",
                      request.technique ? " and technique " : "", request.technique ? request.technique : "",
+                     request.reference ? " and reference " : "", request.reference ? request.reference : "",
                      table.rows > 1 ? csv_table_field(&table, 1, "metric") : "missing");
     for (size_t i = 0; i < count; i++) {
         const char *dot = strrchr(request.out, '.'), *end = dot ? dot : request.out + strlen(request.out);
