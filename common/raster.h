@@ -92,5 +92,7 @@ void raster_fullscreen(const Raster *raster, const Shader *shader, GLuint frameb
 // Set the uniforms eye, ray_lower_left, ray_right, ray_up that shaders/common/camera.glsl reads: the ray through picture
 // position (u, v) in [0,1]², v up, is normalize(ray_lower_left + u·ray_right + v·ray_up).
 void raster_set_camera(const Shader *shader, const Camera *camera, float aspect);
+// Set light_direction, light_intensity, light_radius, and light_cone as shadow_in_cone of shaders/common/shadow.glsl takes it.
+void raster_set_light(const Shader *shader, const Light *light);
 
 #endif

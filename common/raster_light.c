@@ -180,12 +180,21 @@ void raster_light_begin(const Raster *raster, const GBuffer *gbuffer, GLuint pic
     dispatch_pixels(gbuffer);
 }
 
+void raster_set_light(const Shader *shader, const Light *light)
+{
+    const bool spot = light->kind == LIGHT_SPOT;
+    shader_set_vec3(shader, "light_direction", (const float *)&light->direction);
+    shader_set_vec3(shader, "light_intensity", (const float *)&light->intensity);
+    shader_set_float(shader, "light_radius", light->radius);
+    shader_set_vec2(shader, "light_cone", spot ? sinf(light->half_angle_rad) : 0.0f,
+                    spot ? cosf(light->half_angle_rad) : -1.0f);
+}
+
 void raster_light_add(const Raster *raster, const GBuffer *gbuffer, const Camera *camera, const Light *light,
                       const DepthMap *map, GLuint picture)
 {
     const Shader *shader = raster->light[map->kind];
     const vec3 eye_from_origin = camera->eye - map->origin;
-    bool spot = light->kind == LIGHT_SPOT;
     gl.BindImageTexture(0, picture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     gl.BindImageTexture(1, gbuffer->distance, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32F);
     gl.BindImageTexture(2, gbuffer->normal, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA16F);
@@ -196,10 +205,6 @@ void raster_light_add(const Raster *raster, const GBuffer *gbuffer, const Camera
     shader_set_mat4(shader, "to_clip", (const float *)&map->to_clip);
     shader_set_float(shader, "texel_size", map->texel_size);
     shader_set_vec3(shader, "eye_from_origin", (const float *)&eye_from_origin);
-    shader_set_vec3(shader, "light_direction", (const float *)&light->direction);
-    shader_set_vec3(shader, "light_intensity", (const float *)&light->intensity);
-    shader_set_float(shader, "light_radius", light->radius);
-    shader_set_vec2(shader, "light_cone", spot ? sinf(light->half_angle_rad) : 0.0f,
-                    spot ? cosf(light->half_angle_rad) : -1.0f);
+    raster_set_light(shader, light);
     dispatch_pixels(gbuffer);
 }

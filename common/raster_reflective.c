@@ -46,7 +46,6 @@ void raster_reflective_map_draw(const Raster *raster, const ReflectiveMap *map, 
     static const float infinity[4] = {INFINITY}, zero[4] = {0};
     const DepthMap *depth = &map->depth;
     const Shader *shader = raster->reflective_map[depth->kind];
-    const bool spot = light->kind == LIGHT_SPOT;
     gl.ClearNamedFramebufferfv(map->framebuffer, GL_COLOR, 0, infinity);
     for (int i = 1; i < 4; i++)
         gl.ClearNamedFramebufferfv(map->framebuffer, GL_COLOR, i, zero);
@@ -60,11 +59,7 @@ void raster_reflective_map_draw(const Raster *raster, const ReflectiveMap *map, 
     shader_set_vec3(shader, "origin", (const float *)&depth->origin);
     shader_set_mat4(shader, "to_clip", (const float *)&depth->to_clip);
     shader_set_float(shader, "near_distance", depth->near_distance);
-    shader_set_vec3(shader, "light_direction", (const float *)&light->direction);
-    shader_set_vec3(shader, "light_intensity", (const float *)&light->intensity);
-    shader_set_float(shader, "light_radius", light->radius);
-    shader_set_vec2(shader, "light_cone", spot ? sinf(light->half_angle_rad) : 0.0f,
-                    spot ? cosf(light->half_angle_rad) : -1.0f);
+    raster_set_light(shader, light);
     shader_set_float(shader, "texel_size", depth->texel_size);
     shader_set_float(shader, "half_resolution", 0.5f * (float)depth->resolution);
     shader_set_float(shader, "texel_area", depth->kind == LIGHT_DIRECTIONAL ? texel_area(depth) : 0.0f);

@@ -3,6 +3,7 @@
 #define SHADOW_PLAN_H
 
 #include "image.h"
+#include "plan_lines.h"
 
 #include <criterion/criterion.h>
 #include <stdlib.h>
@@ -27,23 +28,6 @@ static inline char *plan_of(const char *arguments, const char *picture)
     return plan;
 }
 
-// The plan's line of this pass, or NULL.
-static inline const char *line_of(const char *plan, const char *pass)
-{
-    const size_t length = strlen(pass);
-    const char *line = plan;
-    while (line && !(strncmp(line, pass, length) == 0 && strncmp(line + length, "  ", 2) == 0))
-        line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL;
-    return line;
-}
-static inline bool ran(const char *plan, const char *pass)
-{
-    const char *line = line_of(plan, pass);
-    char word[8] = "";
-    cr_assert(line, "no pass '%s' in\n%s", pass, plan);
-    sscanf(line + strlen(pass), "%7s", word);
-    return strcmp(word, "yes") == 0;
-}
 // "… 3 of 6 left out": the 3.
 static inline double left_out(const char *plan, const char *pass)
 {

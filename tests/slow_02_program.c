@@ -1,5 +1,6 @@
 // 02 shadow maps, slow: more of what test_02_program.c asks, each case a program start or more; the stability table.
 #include "shadow_plan.h"
+#include "stability_table.h"
 
 Test(slow_shadow_program, casters_outside_the_hull_are_left_out, .timeout = 120)
 {
@@ -45,20 +46,7 @@ Test(slow_shadow_program, what_has_not_changed_is_not_drawn_again, .timeout = 12
 }
 Test(slow_shadow_program, the_stability_table_passes, .timeout = 120)
 {
-    const char *build = getenv("BUILD");
-    char *path = text_format("/tmp/shadow-%d.csv", (int)getpid());
-    char *command =
-        text_format("%s/02_shadow_maps --stability %s 2>/dev/null", build ? build : "build", path);
-    cr_assert_eq(system(command), 0, "%s fails", command);
-    char *table = file_read(path, NULL);
-    int passed = 0;
-    for (const char *line = table; (line = strchr(line, '\n')) != NULL; line++)
-        passed += line - table > 5 && strncmp(line - 5, ",pass", 5) == 0;
-    cr_assert_eq(passed, 47, "%d checks pass", passed);
-    unlink(path);
-    free(path);
-    free(command);
-    free(table);
+    check_stability_table("02_shadow_maps", "", 47);
 }
 Test(slow_shadow_program, a_light_that_grazes_the_picture_asks_for_all)
 {

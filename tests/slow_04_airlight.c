@@ -1,25 +1,12 @@
 // 04 airlight: what takes long: the whole stability table, and random stretches by the thousand.
 #include "airlight_bench.h"
+#include "stability_table.h"
 
 #include <unistd.h>
 
 Test(airlight_slow, the_stability_table_passes)
 {
-    const char *build = getenv("BUILD");
-    char *path = text_format("/tmp/airlight-%d.csv", (int)getpid());
-    char *command = text_format("%s/04_airlight --stability %s 2>/dev/null", build ? build : "build", path);
-    cr_assert_eq(system(command), 0, "%s fails", command);
-    char *table = file_read(path, NULL);
-    int passed = 0, failed = 0;
-    for (const char *line = table; (line = strchr(line, '\n')) != NULL; line++) {
-        passed += line - table > 5 && strncmp(line - 5, ",pass", 5) == 0;
-        failed += line - table > 5 && strncmp(line - 5, ",fail", 5) == 0;
-    }
-    cr_assert(failed == 0 && passed == 42, "%d checks pass, %d fail", passed, failed);
-    unlink(path);
-    free(path);
-    free(command);
-    free(table);
+    check_stability_table("04_airlight", "", 42);
 }
 
 // A thousandth wide: 1.8e-4 forward and 4.4e-4 backward.

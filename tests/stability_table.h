@@ -1,4 +1,4 @@
-// stability_table: the chapter's program writes its table, or the rows that `options` leave; every check of it must pass.
+// stability_table: a chapter's program writes its table, or the rows that `options` leave; every check of it must pass.
 #ifndef STABILITY_TABLE_H
 #define STABILITY_TABLE_H
 
@@ -10,12 +10,12 @@
 #include <unistd.h>
 
 // `checks`: how many there are at least, so that a table that lost its rows does not pass.
-static inline void check_stability_table(const char *options, int checks)
+static inline void check_stability_table(const char *program, const char *options, int checks)
 {
     const char *build = getenv("BUILD");
     char *path = text_format("/tmp/stability-%d.csv", (int)getpid());
-    char *command = text_format("%s/01_voxelization %s --stability %s 2>/dev/null", build ? build : "build",
-                                options, path);
+    char *command =
+        text_format("%s/%s %s --stability %s 2>/dev/null", build ? build : "build", program, options, path);
     cr_assert_eq(system(command), 0, "%s fails", command);
     char *table = file_read(path, NULL);
     int passed = 0, failed = 0;

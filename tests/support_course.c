@@ -77,6 +77,12 @@ void course_tree(const char *made)
 void course_write(const char *name, const char *text)
 {
     char *path = text_format("%s/%s", state.folder, name);
+    course_write_at(path, text);
+    free(path);
+}
+
+void course_write_at(const char *path, const char *text)
+{
     char *folder = text_format("%.*s", (int)(strrchr(path, '/') - path), path);
     folder_make(folder);
     FILE *file = fopen(path, "w");
@@ -84,7 +90,6 @@ void course_write(const char *name, const char *text)
     bool written = fputs(text, file) >= 0;
     cr_assert(fclose(file) == 0 && written, "%s", path);
     free(folder);
-    free(path);
 }
 
 bool course_has(const char *text, const char *const *words)

@@ -17,7 +17,8 @@ const char *course_says(int status, const char *command);
 void course_tree(const char *made);
 #define COURSE "$B/course --tree $T/tree --build $B --out $T/out --work $T/work --progress $T/progress "
 
-void course_write(const char *name, const char *text); // a file of the folder
+void course_write(const char *name, const char *text);    // a file of the folder
+void course_write_at(const char *path, const char *text); // any file; its folder is made
 // Every word list ends with NULL: all must stand in the text, none of them.
 bool course_has(const char *text, const char *const *words);
 

@@ -2,62 +2,24 @@
 #ifndef SURFACE_BENCH_H
 #define SURFACE_BENCH_H
 
-#include "../chapters/01_voxelization/scenes.h"
 #include "../chapters/01_voxelization/surface.h"
-#include "truth.h"
-
-#include <criterion/criterion.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "voxel_bench.h"
 
 typedef enum Method { RASTER, THREEPASS, SLICING, PEELING, MSAA, EXPANDED, BINARY, EXACT, METHODS } Method;
 static const char *const method_names[METHODS] = {"raster", "threepass", "slicing", "peeling",
                                                   "msaa",   "expanded",  "binary",  "exact"};
 
 typedef struct SurfaceBench {
-    Mesh mesh; // the scene's, or one made here
-    Scene *scene;
-    RasterMesh gpu;
-    Voxelizer voxelizer;
+    Bench on;
     Surfaces surfaces;
     PeelCount peeled; // by the last PEELING
     int slices, empty_slices;
 } SurfaceBench;
 
-// The mesh on the GPU, again after each change.
-static inline void surface_bench_mesh(SurfaceBench *bench)
-{
-    Scene scene = {0};
-    if (bench->scene)
-        scene = *bench->scene;
-    scene.mesh = bench->mesh;
-    bench->gpu = raster_mesh(&scene);
-}
-
-// A built-in scene or one of the chapter's own; NULL: no triangle yet.
 static inline SurfaceBench surface_bench_open(const char *name)
 {
-    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
-    SurfaceBench bench = {.voxelizer = voxelizer_open(), .surfaces = surfaces_open()};
-    const SceneKind *kind = voxel_scenes;
-    while (name && kind->name && strcmp(kind->name, name) != 0)
-        kind++;
-    if (name) {
-        bench.scene = kind->name ? scene_from(kind, 1) : scene_open(name, 1);
-        bench.mesh = bench.scene->mesh;
-        surface_bench_mesh(&bench);
-    }
-    return bench;
-}
-
-static inline void surface_bench_add(SurfaceBench *bench, vec3 a, vec3 b, vec3 c)
-{
-    vec3 none = {0};
-    uint32_t first = mesh_add_vertex(&bench->mesh, a, none);
-    mesh_add_triangle(&bench->mesh, first, mesh_add_vertex(&bench->mesh, b, none),
-                      mesh_add_vertex(&bench->mesh, c, none), 0);
+    Bench on = bench_open(name);
+    return (SurfaceBench){.on = on, .surfaces = surfaces_open()};
 }
 
 // Cubic voxels of 1 m from the origin.
@@ -66,28 +28,19 @@ static inline VoxelGrid unit_grid(int x, int y, int z)
     return (VoxelGrid){{0, 0, 0}, 1, {x, y, z}};
 }
 
-static inline void draw_exact(SurfaceBench *bench, const Voxels *voxels)
-{
-    TriangleLists lists = triangle_lists_create(&bench->gpu);
-    voxelize_sort(&bench->voxelizer, &bench->gpu, &voxels->grid, &lists);
-    for (int list = 0; list < LIST_COUNT; list++)
-        voxelize_list(&bench->voxelizer, &bench->gpu, &lists, list, voxels);
-    triangle_lists_delete(&lists);
-}
-
 static inline void draw_slicing(SurfaceBench *bench, bool everything, const Voxels *voxels)
 {
-    SliceLists lists = slice_lists_make(&bench->surfaces, &bench->gpu, &voxels->grid);
+    SliceLists lists = slice_lists_make(&bench->surfaces, &bench->on.gpu, &voxels->grid);
     bench->slices = lists.slices;
     bench->empty_slices = lists.empty;
-    surface_slicing(&bench->surfaces, &bench->gpu, everything ? NULL : &lists, voxels);
+    surface_slicing(&bench->surfaces, &bench->on.gpu, everything ? NULL : &lists, voxels);
     slice_lists_delete(&lists);
 }
 
 static inline void draw_binary(SurfaceBench *bench, const Voxels *voxels)
 {
     BinaryGrid binary = binary_create(&voxels->grid);
-    binary_draw(&bench->surfaces, &bench->gpu, &binary);
+    binary_draw(&bench->surfaces, &bench->on.gpu, &binary);
     binary_unpack(&bench->surfaces, &binary, voxels);
     binary_delete(&binary);
 }
@@ -96,11 +49,13 @@ static inline void draw_binary(SurfaceBench *bench, const Voxels *voxels)
 static inline uint32_t *bits_of(SurfaceBench *bench, Method method, const VoxelGrid *grid, int most_layers,
                                 bool everything)
 {
+    if (method == EXACT)
+        return bits_exact(&bench->on, grid);
     Voxels voxels = voxels_create(grid, method_names[method]);
     const Surfaces *surfaces = &bench->surfaces;
-    const RasterMesh *mesh = &bench->gpu;
+    const RasterMesh *mesh = &bench->on.gpu;
     if (method == RASTER)
-        voxelize_raster(&bench->voxelizer, mesh, &voxels);
+        voxelize_raster(&bench->on.voxelizer, mesh, &voxels);
     else if (method == THREEPASS)
         surface_threepass(surfaces, mesh, &voxels);
     else if (method == SLICING)
@@ -111,10 +66,8 @@ static inline uint32_t *bits_of(SurfaceBench *bench, Method method, const VoxelG
         surface_msaa(surfaces, mesh, &voxels);
     else if (method == EXPANDED)
         surface_expanded(surfaces, mesh, &voxels);
-    else if (method == BINARY)
-        draw_binary(bench, &voxels);
     else
-        draw_exact(bench, &voxels);
+        draw_binary(bench, &voxels);
     uint32_t *bits = voxels_read(&voxels);
     voxels_delete(&voxels);
     gl_check(method_names[method]);
@@ -150,10 +103,10 @@ static inline void check_band(const SurfaceBench *bench, const uint32_t *part, c
         size_t width = (size_t)grid->size[0], height = (size_t)grid->size[1];
         int voxel[3] = {(int)(i % width), (int)(i / width % height), (int)(i / width / height)};
         double gap = INFINITY;
-        for (size_t t = 0; t < bench->mesh.triangle_count && gap > most; t++) {
+        for (size_t t = 0; t < bench->on.mesh.triangle_count && gap > most; t++) {
             float corners[9];
             for (size_t k = 0; k < 9; k++)
-                corners[k] = bench->mesh.positions[3 * bench->mesh.indices[3 * t + k / 3] + k % 3];
+                corners[k] = bench->on.mesh.positions[3 * bench->on.mesh.indices[3 * t + k / 3] + k % 3];
             gap = fmin(gap, truth_voxel_gap(corners, grid, voxel));
         }
         cr_assert(gap <= most, "%s: voxel %d %d %d is %g voxels off", what, voxel[0], voxel[1], voxel[2],
@@ -165,7 +118,7 @@ static inline void check_band(const SurfaceBench *bench, const uint32_t *part, c
 static inline void check_inclusions(const char *scene, int resolution)
 {
     SurfaceBench bench = surface_bench_open(scene);
-    VoxelGrid grid = scene_grid(bench.scene, resolution);
+    VoxelGrid grid = scene_grid(bench.on.scene, resolution);
     uint32_t *bits[METHODS];
     for (int m = 0; m < METHODS; m++) {
         bits[m] = bits_by(&bench, (Method)m, &grid);
@@ -195,9 +148,9 @@ static inline void check_cubes(int from, int step)
     SurfaceBench bench = surface_bench_open(NULL);
     for (int n = from; n <= 64; n += step) {
         float far = (float)n - 0.25f;
-        bench.mesh = (Mesh){0};
-        mesh_add_box(&bench.mesh, vec3_make(0.25f, 0.25f, 0.25f), vec3_make(far, far, far), 0);
-        surface_bench_mesh(&bench);
+        bench.on.mesh = (Mesh){0};
+        mesh_add_box(&bench.on.mesh, vec3_make(0.25f, 0.25f, 0.25f), vec3_make(far, far, far), 0);
+        bench_mesh(&bench.on);
         VoxelGrid grid = unit_grid(n, n, n);
         double shell = pow(n, 3) - pow(n - 2, 3);
         for (int m = 0; m < METHODS; m++) {
@@ -207,31 +160,18 @@ static inline void check_cubes(int from, int step)
                       method_names[m], n, got, shell);
             free(bits);
         }
-        raster_mesh_delete(&bench.gpu);
+        raster_mesh_delete(&bench.on.gpu);
     }
 }
 
-// llvmpipe reads LP_NUM_THREADS when a context is made: one process a count. The bits of every method.
-static inline uint64_t hash_with_threads(const char *scene, const char *threads)
+// For hash_with_threads: the bits of every method on a scene.
+static inline uint64_t hash_of_methods(const char *scene)
 {
-    int ends[2];
-    uint64_t hash = 0;
-    cr_assert_eq(pipe(ends), 0, "no pipe");
-    pid_t child = fork();
-    if (child == 0) {
-        setenv("LP_NUM_THREADS", threads, 1);
-        SurfaceBench bench = surface_bench_open(scene);
-        VoxelGrid grid = scene_grid(bench.scene, 32);
-        hash = HASH_START;
-        for (int m = 0; m < METHODS; m++)
-            hash = hash_bytes(hash, bits_by(&bench, (Method)m, &grid), 4 * grid_words(&grid));
-        _exit(write(ends[1], &hash, sizeof hash) != sizeof hash);
-    }
-    close(ends[1]);
-    cr_assert_eq(read(ends[0], &hash, sizeof hash), (ssize_t)sizeof hash, "%s threads: nothing came out",
-                 threads);
-    close(ends[0]);
-    waitpid(child, NULL, 0);
+    SurfaceBench bench = surface_bench_open(scene);
+    VoxelGrid grid = scene_grid(bench.on.scene, 32);
+    uint64_t hash = HASH_START;
+    for (int m = 0; m < METHODS; m++)
+        hash = hash_bytes(hash, bits_by(&bench, (Method)m, &grid), 4 * grid_words(&grid));
     return hash;
 }
 

@@ -1,6 +1,7 @@
 // Attributes of chapter 01's voxels against sums in double over truth's voxels of each triangle. Listing 4.9: test_01_average.c.
 #include "attribute_bench.h"
 #include "failure.h"
+#include "threads_bench.h"
 #include "truth.h"
 
 #include <sys/wait.h>
@@ -238,40 +239,27 @@ Test(attributes, the_list_drops_no_fragment_and_its_sums_are_the_same)
     scene_close(scene);
 }
 
-// llvmpipe reads LP_NUM_THREADS when a context is made: one process a count.
+static uint64_t hash_of_heap(const char *triangles)
+{
+    Scene *scene = make_heap(atoi(triangles));
+    Bench bench = bench_open(scene, &heap_grid, 0);
+    Fragments from = fragments_of(&bench);
+    attributes_sum(&bench.attributer, &from, &bench.attributes);
+    uint32_t *sums = sums_of(&bench.attributes);
+    size_t count = fragment_list_count(&bench.attributer, &from, &bench.attributes);
+    fragment_list_fill(&bench.attributer, &from, &bench.attributes);
+    uint32_t *listed = fragment_list_read(&bench.attributes);
+    uint64_t *sorted = memory_new(count, sizeof *sorted, "pairs");
+    for (size_t k = 0; k < count; k++)
+        sorted[k] = (uint64_t)listed[2 * k] << 32 | listed[2 * k + 1];
+    qsort(sorted, count, sizeof *sorted, by_pair);
+    const uint64_t hash = hash_bytes(HASH_START, sums, 28 * (size_t)bench.attributes.slots);
+    return count > 10000 ? hash_bytes(hash, sorted, count * sizeof *sorted) : 0;
+}
 Test(attributes, any_number_of_threads_gives_the_same_sums_and_list)
 {
-    uint64_t hash[2];
-    for (int i = 0; i < 2; i++) {
-        int ends[2];
-        cr_assert_eq(pipe(ends), 0, "pipe");
-        pid_t child = fork();
-        if (child == 0) {
-            setenv("LP_NUM_THREADS", i == 0 ? "0" : "4", 1);
-            Scene *scene = make_heap(2000);
-            Bench bench = bench_open(scene, &heap_grid, 0);
-            Fragments from = fragments_of(&bench);
-            attributes_sum(&bench.attributer, &from, &bench.attributes);
-            uint32_t *sums = sums_of(&bench.attributes);
-            size_t count = fragment_list_count(&bench.attributer, &from, &bench.attributes);
-            fragment_list_fill(&bench.attributer, &from, &bench.attributes);
-            uint32_t *listed = fragment_list_read(&bench.attributes);
-            uint64_t *sorted = memory_new(count, sizeof *sorted, "pairs");
-            for (size_t k = 0; k < count; k++)
-                sorted[k] = (uint64_t)listed[2 * k] << 32 | listed[2 * k + 1];
-            qsort(sorted, count, sizeof *sorted, by_pair);
-            uint64_t found = hash_bytes(hash_bytes(HASH_START, sums, 28 * (size_t)bench.attributes.slots),
-                                        sorted, count * sizeof *sorted);
-            _exit(write(ends[1], &found, sizeof found) == sizeof found && count > 10000 ? 0 : 1);
-        }
-        int status = 1;
-        waitpid(child, &status, 0);
-        cr_assert_eq(status, 0, "the child has written");
-        cr_assert_eq(read(ends[0], &hash[i], sizeof hash[i]), (ssize_t)sizeof hash[i], "a hash");
-        close(ends[0]);
-        close(ends[1]);
-    }
-    cr_assert_eq(hash[0], hash[1], "one thread and four");
+    cr_assert_eq(hash_with_threads("0", hash_of_heap, "2000"), hash_with_threads("4", hash_of_heap, "2000"),
+                 "one thread and four");
 }
 
 // No triangle in the grid, and none at all.

@@ -1,4 +1,5 @@
 // 01 voxelization: the program as a user runs it: what a frame builds again, which pictures are made, the stability table.
+#include "plan_lines.h"
 #include "stability_table.h"
 #include "base.h"
 
@@ -24,20 +25,6 @@ static char *plan_of(const char *arguments)
     free(out);
     free(picture);
     return plan;
-}
-static bool ran(const char *plan, const char *pass)
-{
-    const char *line = plan;
-    size_t length = strlen(pass);
-    while (line && !(strncmp(line, pass, length) == 0 && strncmp(line + length, "  ", 2) == 0))
-        line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL;
-    if (!line) {
-        cr_expect(false, "no pass '%s' in\n%s", pass, plan);
-        return false;
-    }
-    char word[8] = "";
-    sscanf(line + length, "%7s", word);
-    return strcmp(word, "yes") == 0;
 }
 Test(program, what_has_not_changed_is_not_built_again)
 {
@@ -110,5 +97,5 @@ Test(program, only_the_picture_that_is_shown_is_made)
 // The rest of the table is asked by slow_01_surface.c.
 Test(program, the_stability_table_of_exact_passes)
 {
-    check_stability_table("--set method=exact --set storage=occupancy", 66);
+    check_stability_table("01_voxelization", "--set method=exact --set storage=occupancy", 66);
 }

@@ -1,6 +1,7 @@
 // 04 airlight: the program as a user runs it: what is left out and that it changes nothing, what is built again, the stability table.
 #include "base.h"
 #include "image.h"
+#include "plan_lines.h"
 
 #include <criterion/criterion.h>
 #include <stdlib.h>
@@ -38,24 +39,11 @@ static void outcome_free(Outcome *outcome)
     image_free(&outcome->picture);
 }
 
-static const char *line_of(const char *plan, const char *pass)
-{
-    const size_t length = strlen(pass);
-    const char *line = plan;
-    while (line && !(strncmp(line, pass, length) == 0 && strncmp(line + length, "  ", 2) == 0))
-        line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL;
-    cr_assert(line, "no pass '%s' in\n%s", pass, plan);
-    return line;
-}
-static bool ran(const char *plan, const char *pass)
-{
-    char word[8] = "";
-    sscanf(line_of(plan, pass) + strlen(pass), "%7s", word);
-    return strcmp(word, "yes") == 0;
-}
 static double count(const char *plan, const char *pass, const char *what)
 {
-    const char *line = line_of(plan, pass), *end = strchr(line, '\n'), *found = strstr(line, what);
+    const char *line = line_of(plan, pass);
+    cr_assert(line, "no pass '%s' in\n%s", pass, plan);
+    const char *end = strchr(line, '\n'), *found = strstr(line, what);
     return found && (!end || found < end) ? atof(found + strlen(what)) : -1.0;
 }
 

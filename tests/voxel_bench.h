@@ -4,6 +4,7 @@
 
 #include "../chapters/01_voxelization/scenes.h"
 #include "../chapters/01_voxelization/voxelize.h"
+#include "threads_bench.h"
 #include "truth.h"
 
 #include <criterion/criterion.h>
