@@ -125,6 +125,19 @@ Test(tools, a_figure_shows_the_rows_that_are_asked_for)
     cr_assert_eq(shell(make), 0, "%s", printed);
 }
 
+Test(tools, make_run_renders_scenes_that_are_files)
+{
+    const char *make =
+        "cd $T; mkdir build; cat >build/09_a <<'END'\n#!/bin/sh\nif [ $1 = --list ]; then\n"
+        "printf "
+        "'chapter\\t09_a\\tA\\nstep\\t1\\tonly\\tall\\ndefault\\tbox\\ndefault\\tsome/where/a.gltf\\n'; "
+        "exit; fi\n"
+        "while [ $# -gt 1 ]; do [ $1 != --out ] || echo picture >$2; shift; done\nEND\n"
+        "chmod +x build/09_a; sh $ROOT/tests/tools/render_all.sh build out 09_a && "
+        "test -s out/09_a/box-only.png -a -s out/09_a/a-only.png && grep -q 09_a/a-only.png out/index.html";
+    cr_assert_eq(shell(make), 0, "%s", printed);
+}
+
 // --- line counts: 400 is allowed, 401 is not
 
 Test(tools, a_file_of_401_lines_is_found)

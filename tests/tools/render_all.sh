@@ -1,7 +1,7 @@
 #!/bin/sh
 # make run: render every chapter headless and write a page that shows the pictures: render_all.sh BUILD OUT CHAPTER…
 # Every step on a chapter's first default scene, the last step on its other ones, and the truth beside the last step where it takes seconds.
-# OUT/NN_name/SCENE-STEP.png, OUT/index.html.
+# OUT/NN_name/SCENE-STEP.png (a file's name without its folder and ending), OUT/index.html.
 set -u
 build=$1 out=$2
 shift 2
@@ -78,17 +78,18 @@ for chapter in "$@"; do
     number=0
     for scene in $(awk -F '\t' '$1 == "default" { print $2 }' "$list"); do
         number=$((number + 1))
+        stem=${scene##*/} stem=$out/$chapter/${stem%.*} # a scene may be a file
         scene_shows=$(awk -F '\t' -v scene="$scene" '$1 == "scene" && $2 == scene { print $3; exit }' "$list")
         while IFS=$tab read -r kind index step shows <&3; do
             [ "$kind" = step ] || continue
             [ "$number" -eq 1 ] || [ "$step" = "$last" ] || continue
-            file=$out/$chapter/$scene-$(printf '%s' "$step" | tr ' /' '--').png
+            file=$stem-$(printf '%s' "$step" | tr ' /' '--').png
             caption="<b>$(escape "$scene"), step $index: $(escape "$step").</b> $(escape "$shows")"
             if [ "$number" -gt 1 ]; then caption="<b>$(escape "$scene"): $(escape "$step").</b> $(escape "$scene_shows")"; fi
             error_line=
             if [ "$number" -eq 1 ] && [ "$step" = "$last" ] && [ -x "$build/compare" ]; then
                 # Linear floats for the numbers; a chapter without a truth picture says so with status 2 and the page goes without.
-                got=$out/$chapter/$scene-last.exr truth=$out/$chapter/$scene-truth.exr
+                got=$stem-last.exr truth=$stem-truth.exr
                 if timeout 60 "$build/$chapter" --scene "$scene" --out "$got" --truth "$truth" </dev/null >"$out/log.tmp" 2>&1 &&
                     numbers=$("$build/compare" "$got" "$truth" 2>/dev/null); then
                     numbers=$(printf '%s\n' "$numbers" | awk -F , 'NR == 1 { split($0, name) } NR == 2 { for (i = 3; i <= NF; i++) printf "%s %.3g  ", name[i], $i }')
@@ -98,7 +99,7 @@ for chapter in "$@"; do
             picture "$chapter" "$file" "$caption" --scene "$scene" --step "$step" --out "$file" || continue
             if [ -n "$error_line" ]; then
                 error_line=
-                file=$out/$chapter/$scene-truth.png
+                file=$stem-truth.png
                 picture "$chapter" "$file" "<b>$(escape "$scene"): the truth.</b> The same view by an independent method." --scene "$scene" --truth "$file"
             fi
         done 3<"$list"
