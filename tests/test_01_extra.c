@@ -47,7 +47,7 @@ Test(extra, the_gap_is_that_of_the_nearest_triangle)
 static void check_ball(const char *name, double parts)
 {
     Bench bench = bench_open(name);
-    cr_assert_eq(bench.mesh.triangle_count, 8 * parts * parts, "%s: %zu triangles", name,
+    cr_assert_eq((double)bench.mesh.triangle_count, 8 * parts * parts, "%s: %zu triangles", name,
                  bench.mesh.triangle_count);
     double volume = 0.0;
     for (size_t t = 0; t < bench.mesh.triangle_count; t++) {
