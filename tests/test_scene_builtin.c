@@ -126,9 +126,9 @@ Test(scene_builtin, forest_has_thin_twigs_before_its_lamp)
         leaves += leaf;
         thin += !leaf && hypotf(a[0] - b[0], hypotf(a[1] - b[1], a[2] - b[2])) < 0.01f;
     }
-    cr_assert(mesh->triangle_count > 1e5 && mesh->triangle_count < 4e5, "%zu triangles",
+    cr_assert(mesh->triangle_count > 100000 && mesh->triangle_count < 400000, "%zu triangles",
               mesh->triangle_count);
-    cr_assert(leaves > 5e4 && thin > 3e4, "%zu of leaves, %zu of twigs", leaves, thin);
+    cr_assert(leaves > 50000 && thin > 30000, "%zu of leaves, %zu of twigs", leaves, thin);
     const vec4 lamp = {scene->lights[0].position[0], scene->lights[0].position[1],
                        scene->lights[0].position[2], 1};
     const vec4 seen =
