@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const scenes[] = {"colonnade", "bunny", "cornell", NULL};
+static const char *const scenes[] = {"colonnade", "bunny", "cornell", "fence", NULL};
 
 // clang-format off
 static const RunParameter parameters[] = {
@@ -43,6 +43,12 @@ static const RunStep steps[] = {
     {                                                                                                        \
         method, NULL, "method=" method " steps=" #n, NULL                                                    \
     }
+// A file with its own camera, spot, candle and moon; but glTF knows no mist.
+#define LAMPS(method, settings)                                                                              \
+    {                                                                                                        \
+        method, "chapters/02_shadow_maps/lamps.gltf",                                                        \
+            "method=" settings " scattering=0.06,0.06,0.07 absorption=0.01,0.01,0.01", NULL                  \
+    }
 static const RunRow sweep[] = {
     STEPS("march", 16),
     STEPS("march", 64),
@@ -68,6 +74,16 @@ static const RunRow sweep[] = {
     {"segments", NULL, "method=segments nodes=16", NULL},
     {"segments", NULL, "method=segments nodes=24", NULL},
     {"signed", NULL, "method=segments variant=signed", NULL},
+    LAMPS("march", "march steps=16"),
+    LAMPS("march", "march steps=64"),
+    LAMPS("march", "march steps=256"),
+    LAMPS("march", "march steps=1024"),
+    LAMPS("equiangular", "equiangular steps=16"),
+    LAMPS("equiangular", "equiangular steps=64"),
+    LAMPS("equiangular", "equiangular steps=256"),
+    LAMPS("equiangular", "equiangular steps=1024"),
+    LAMPS("gauss", "gauss"),
+    LAMPS("segments", "segments"),
     {NULL, NULL, NULL, NULL},
 };
 
