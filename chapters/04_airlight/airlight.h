@@ -4,7 +4,8 @@
 
 #include "raster.h"
 
-// What is drawn how. Methods that sample take `steps` samples a ray; gauss and segments take `nodes` (8, 16 or 24) a stretch.
+// What is drawn how. Methods that sample take `steps` samples a ray; gauss and segments take `nodes` a stretch: 8, 16, 24, or 0,
+// as many as they need.
 typedef struct AirlightSettings {
     const char *method;  // march jittered equiangular factored sun pegoraro gauss segments
     const char *variant; // segments: intervals, or signed as Billeter et al. sum them
