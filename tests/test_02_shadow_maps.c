@@ -291,13 +291,15 @@ Test(shadow, paraboloid_and_cube_find_a_direction_again)
     gl_buffer_read(out, 0, sizeof found, found);
     for (int i = 0; i < COUNT; i++) {
         const float *d = directions[i], *f = found[i][0];
-        const float length = sqrtf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), z = fabsf(d[2]) / length;
+        const float length = sqrtf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        const double z = (double)fabsf(d[2]) / (double)length,
+                     reached = sqrt((double)(f[0] * f[0] + f[1] * f[1]));
         cr_assert_eq(f[2], d[2] < 0, "direction %d: half", i);
         // stereographic: radius tan(θ/2) with cos θ = z; each place covers dθ/d(radius) = 1 + z radians
         const double radius = tan(0.5 * acos(fmin(z, 1)));
-        cr_assert(fabs(hypot(f[0], f[1]) - radius) < 1e-5 && hypot(f[0], f[1]) < 1 + 1e-6,
-                  "direction %d: place %g, %g", i, (double)f[0], (double)f[1]);
-        cr_assert(fabs(f[3] - (1 + z)) < 1e-5, "direction %d: angle %g", i, (double)f[3]);
+        cr_assert(fabs(reached - radius) < 1e-5 && reached < 1 + 1e-6, "direction %d: place %g, %g", i,
+                  (double)f[0], (double)f[1]);
+        cr_assert(fabs((double)f[3] - (1 + z)) < 1e-5, "direction %d: angle %g", i, (double)f[3]);
         for (int k = 0; k < 3; k++) {
             cr_assert(fabsf(found[i][1][k] - d[k] / length) < 1e-6f, "direction %d: paraboloid gives %d %g",
                       i, k, (double)found[i][1][k]);
