@@ -6,7 +6,8 @@
 #include "image.h"
 #include "raster.h"
 
-// What is drawn how. Methods that sample take `steps` samples a ray; segments takes `nodes` (8, 16 or 24) a lit stretch.
+// What is drawn how. Methods that sample take `steps` samples a ray; segments takes `nodes` a lit stretch: 8, 16, 24, or 0: as many as
+// 1e-4 takes.
 typedef struct AirlightSettings {
     const char *method;  // march jittered equiangular factored segments
     const char *variant; // segments: intervals, or signed as Billeter et al. sum them

@@ -103,6 +103,30 @@ Test(airlight, segments_come_to_the_truth)
     bench_close(&bench);
 }
 
+// Wires that are thinner than a texel, and a file's camera, spot, candle and moon: a finer map is nearer to the truth, and near it on the whole.
+static void check_real(const char *name, double tolerance)
+{
+    Bench bench = bench_open(name);
+    bench.scene->medium = (Medium){vec3_make(0.1f, 0.1f, 0.1f), vec3_make(0.02f, 0.02f, 0.02f), 0.0f};
+    Image truth = airlight_truth(bench.scene, &bench.scene->camera, SIDE, SIDE, &bench.settings, -1.0f);
+    const ImageError coarse = method_error(&bench, "segments", 0, &truth);
+    bench.map = 1024;
+    const ImageError fine = method_error(&bench, "segments", 0, &truth);
+    cr_assert(fine.nonfinite == 0 && fine.nrmse < tolerance && fine.nrmse < 0.5 * coarse.nrmse,
+              "%s: nrmse %g with 1024² texels, %g with 128²", name, fine.nrmse, coarse.nrmse);
+    cr_assert(fabs(fine.mean_ratio - 1.0) < 0.2 * tolerance, "%s: mean ratio %g", name, fine.mean_ratio);
+    image_free(&truth);
+    bench_close(&bench);
+}
+Test(airlight, a_fence_comes_to_the_truth)
+{
+    check_real("fence", 0.02);
+}
+Test(airlight, a_file_with_camera_and_lights_comes_to_the_truth)
+{
+    check_real("chapters/02_shadow_maps/lamps.gltf", 0.02);
+}
+
 // How the error falls with the number of samples: of the midpoint rule on a smooth ray as n^-2; where shadow borders cross the ray as n^-1; of one random sample in
 // each of n strata as n^-1.5 on a smooth ray, and n^-1 with borders.
 static double order_of(Bench *bench, const char *method, const Image *expected)

@@ -13,14 +13,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const scenes[] = {"colonnade", "bunny", "cornell", NULL};
+static const char *const scenes[] = {"colonnade", "bunny", "cornell", "fence", NULL};
 
 // clang-format off
 static const RunParameter parameters[] = {
     {.name = "method", .kind = RUN_CHOICE, .choices = "equiangular march jittered factored sun pegoraro gauss segments", .shows = "how the integral along a ray is found"},
     {.name = "variant", .kind = RUN_CHOICE, .choices = "intervals signed", .shows = "segments: each lit interval on its own, or signed integrals from the eye"},
     {.name = "steps", .kind = RUN_INTEGER, .least = 1, .most = 16384, .initial = {64}, .unit = "samples", .shows = "samples a ray"},
-    {.name = "nodes", .kind = RUN_CHOICE, .choices = "16 24 8", .shows = "gauss, segments: nodes a lit stretch"},
+    {.name = "nodes", .kind = RUN_CHOICE, .choices = "auto 8 16 24", .shows = "gauss, segments: nodes a lit stretch; auto: 16, of a peaked phase function 24"},
     {.name = "table", .kind = RUN_INTEGER, .least = 2, .most = 1024, .initial = {64}, .unit = "texels", .shows = "sun: a side of the table of F"},
     {.name = "phase", .kind = RUN_CHOICE, .choices = "uniform rayleigh henyey_greenstein hoffman_preetham hoffman_preetham_normalized", .shows = "how scattered light is shared out; mean_cosine is g"},
     {.name = "rayleigh_share", .kind = RUN_NUMBER, .least = 0, .most = 1, .initial = {0.3}, .shows = "Hoffman and Preetham: Rayleigh's share of the scattering"},
@@ -42,6 +42,12 @@ static const RunStep steps[] = {
 #define STEPS(method, n)                                                                                     \
     {                                                                                                        \
         method, NULL, "method=" method " steps=" #n, NULL                                                    \
+    }
+// A file with its own camera, spot, candle and moon; but glTF knows no mist.
+#define LAMPS(method, settings)                                                                              \
+    {                                                                                                        \
+        method, "chapters/02_shadow_maps/lamps.gltf",                                                        \
+            "method=" settings " scattering=0.06,0.06,0.07 absorption=0.01,0.01,0.01", NULL                  \
     }
 static const RunRow sweep[] = {
     STEPS("march", 16),
@@ -68,6 +74,16 @@ static const RunRow sweep[] = {
     {"segments", NULL, "method=segments nodes=16", NULL},
     {"segments", NULL, "method=segments nodes=24", NULL},
     {"signed", NULL, "method=segments variant=signed", NULL},
+    LAMPS("march", "march steps=16"),
+    LAMPS("march", "march steps=64"),
+    LAMPS("march", "march steps=256"),
+    LAMPS("march", "march steps=1024"),
+    LAMPS("equiangular", "equiangular steps=16"),
+    LAMPS("equiangular", "equiangular steps=64"),
+    LAMPS("equiangular", "equiangular steps=256"),
+    LAMPS("equiangular", "equiangular steps=1024"),
+    LAMPS("gauss", "gauss"),
+    LAMPS("segments", "segments"),
     {NULL, NULL, NULL, NULL},
 };
 
@@ -182,7 +198,7 @@ int main(int argc, char **argv)
                                      .variant = run_choice(run, "variant"),
                                      .phase = run_choice(run, "phase"),
                                      .steps = run_integer(run, "steps"),
-                                     .nodes = atoi(run_choice(run, "nodes")),
+                                     .nodes = atoi(run_choice(run, "nodes")), // auto: 0
                                      .rayleigh_share = (float)run_number(run, "rayleigh_share"),
                                      .seed = (uint32_t)run_seed(run),
                                      .grey = extinction[0] == extinction[1] && extinction[1] == extinction[2],
