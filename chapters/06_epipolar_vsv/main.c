@@ -4,7 +4,7 @@
 // You should see the scene in clear air; then the grid laid flat, its voxels where surfaces begin to cast shadow; then scanned, with all that lies behind them;
 // how much of each view ray is in shadow; the light that the medium scatters; and the picture.
 // Source: Wyman, "Voxelized shadow volumes" (2011).
-#include "query.h"
+#include "prefix.h"
 #include "run.h"
 #include "truth.h"
 
@@ -22,7 +22,8 @@ static const RunParameter parameters[] = {
     {.name = "slices", .kind = RUN_CHOICE, .choices = "uniform pixel", .shows = "slices at equal angles, or at most a pixel apart"},
     {.name = "range", .kind = RUN_CHOICE, .choices = "seen full", .shows = "what the grid covers: what the picture shows, or all angles"},
     {.name = "scan", .kind = RUN_CHOICE, .choices = "columns", .shows = "how the shadow behind a voxel is found"},
-    {.name = "integral", .kind = RUN_CHOICE, .choices = "runs", .shows = "airlight from bits: closed forms of lit runs"},
+    {.name = "integral", .kind = RUN_CHOICE, .choices = "runs prefix", .shows = "airlight from bits: closed forms of lit runs; or sums up to each word, two fetches a view ray"},
+    {.name = "between", .kind = RUN_CHOICE, .choices = "linear nearest", .shows = "prefix: between the grid's view rays interpolated, or the nearest"},
     {.name = "steps", .kind = RUN_INTEGER, .least = 1, .most = 16384, .initial = {64}, .unit = "samples", .shows = "march, equiangular: samples a ray"},
     {.name = "phase", .kind = RUN_CHOICE, .choices = "uniform rayleigh henyey_greenstein hoffman_preetham hoffman_preetham_normalized", .shows = "how scattered light is shared out; mean_cosine is g"},
     {.name = "rayleigh_share", .kind = RUN_NUMBER, .least = 0, .most = 1, .initial = {0.3}, .shows = "Hoffman and Preetham: Rayleigh's share of the scattering"},
@@ -106,11 +107,15 @@ int main(int argc, char **argv)
         RasterView view = raster_view_open(raster, scene, width, height, run_integer(run, "map"));
         Airlight march = {0};
         Query query = {0};
+        Prefix prefix = {0};
+        const bool by_prefix = !brute && run_chosen(run, "integral", "prefix");
         Vsv *vsv = memory_new(lights + 1, sizeof *vsv, "volumes");
         if (brute)
             march = airlight_open(&settings, view.maps, lights);
         else
             query = query_open(&settings, &size, run_choice(run, "integral"), view.maps, lights);
+        if (by_prefix)
+            prefix = prefix_open(&settings, &size, view.maps, lights, run_chosen(run, "between", "linear"));
         for (size_t i = 0; i < lights && !brute; i++)
             vsv[i] = vsv_open(&size, &view.maps[i]);
         RasterTarget picture[PICTURES];
@@ -175,7 +180,14 @@ int main(int argc, char **argv)
                     if (brute)
                         airlight_add(&march, &view.gbuffer, &camera, scene, seen.light, seen.map,
                                      picture[AIRLIGHT].texture);
-                    else
+                    else if (by_prefix && prefix_can(&vsv[i], seen.light)) {
+                        run_pass(run, "weights", true, NULL);
+                        prefix_weigh(&prefix, &vsv[i], &seen);
+                        run_pass(run, "prefix sums", true, NULL);
+                        prefix_sum(&prefix, &vsv[i], &seen);
+                        run_pass(run, "airlight", true, NULL);
+                        prefix_airlight(&prefix, &vsv[i], &seen, picture[AIRLIGHT].texture);
+                    } else
                         query_airlight(&query, &vsv[i], &seen, picture[AIRLIGHT].texture);
                 }
             }
@@ -199,6 +211,8 @@ int main(int argc, char **argv)
             airlight_close(&march);
         else
             query_close(&query);
+        if (by_prefix)
+            prefix_close(&prefix);
         for (int i = 0; i < PICTURES; i++)
             raster_target_close(&picture[i]);
         raster_view_close(&view);

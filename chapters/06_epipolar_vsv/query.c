@@ -6,7 +6,7 @@
 
 static int integral_number(const char *integral)
 {
-    static const char *const names[] = {"runs", "riemann", "factored"};
+    static const char *const names[] = {"runs", "prefix", "factored"};
     for (int i = 0; i < 3; i++)
         if (strcmp(names[i], integral) == 0)
             return i;

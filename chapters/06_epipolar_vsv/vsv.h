@@ -24,7 +24,7 @@ typedef struct Vsv {
     int levels;         // of the mip chain: 1 unless scan is logstep
     size_t bytes;       // of all levels
     LightKind kind;     // of the light's map
-    GLuint voxels, texels, first, slices, borders; // texels: voxels as RGBA32UI
+    GLuint voxels, texels, single, first, slices, borders; // voxels as RGBA32UI: texels; as R32UI: single
     Shader *resample, *scan[3];
     EpipolarFrame frame;
     EpipolarRange range;

@@ -1,26 +1,11 @@
 // Airlight from the volume's bits. METHOD 0: runs of equal bits, each lit one integrated in closed form.
 #include "common/airlight_ray.glsl"
 #include "06_epipolar_vsv/query.glsl"
+#include "06_epipolar_vsv/stretch.glsl"
 
 #define RUNS 0
 #define RIEMANN 1
 #define FACTORED 2
-
-vec3 stretch(Ray ray, float from, float to)
-{
-#if MAP_KIND == DIRECTIONAL
-#define INTEGRAL(sigma) airlight_directional(from, to, sigma)
-    float scattered = phase(phase_half_angle(light_direction, ray.direction));
-#else
-#define INTEGRAL(sigma) airlight_point(ray.nearest, ray.foot, light_radius, from, to, sigma)
-    const float scattered = 1.0;
-#endif
-#if GREY && !EVERYTHING
-    return vec3(scattered * INTEGRAL(extinction.x));
-#else
-    return scattered * vec3(INTEGRAL(extinction.x), INTEGRAL(extinction.y), INTEGRAL(extinction.z));
-#endif
-}
 
 // Where along the ray the border `place` of the grid lies; the ends are the ray's own.
 float border_along(Ray ray, Query query, float place, float first, float last)
