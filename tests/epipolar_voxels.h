@@ -59,15 +59,19 @@ static inline void voxels_fill(VoxelBench *bench, const TrianglesSettings *setti
         (size_t)bench->range.alpha * (size_t)bench->range.theta * (size_t)bench->range.phi / 8;
     RasterMesh mesh = raster_mesh(&bench->scene);
     Triangles triangles = triangles_open(settings);
-    GLuint words = gl_buffer(.label = "words", .bytes = bytes);
+    const uint32_t none = (uint32_t)bench->range.alpha;
+    GLuint words = gl_buffer(.label = "words", .bytes = bytes),
+           first = gl_buffer(.label = "first", .bytes = bytes);
+    gl.ClearNamedBufferData(first, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     triangles_aim(&triangles, &grid);
     triangles_list(&triangles, &mesh, &grid);
-    triangles_fill(&triangles, &mesh, &grid, words);
+    triangles_fill(&triangles, &mesh, &grid, words, first);
     bench->counts = triangles.counted;
     free(bench->words);
     bench->words = memory_new(bytes, 1, "words");
     gl_buffer_read(words, 0, bytes, bench->words);
     gl_buffer_delete(&words);
+    gl_buffer_delete(&first);
     triangles_close(&triangles);
     raster_mesh_delete(&mesh);
 }

@@ -29,8 +29,9 @@ static size_t check_points(VoxelBench *bench, int points, const char *what)
                 b[(i / 4 + 1) % 3] = 0.0;
             const double sum = b[0] + b[1] + b[2];
             for (int k = 0; k < 9; k++)
-                p[k % 3] += b[k / 3] / sum *
-                            (double)mesh->positions[3 * mesh->indices[3 * t + (size_t)(k / 3)] + (size_t)(k % 3)];
+                p[k % 3] +=
+                    b[k / 3] / sum *
+                    (double)mesh->positions[3 * mesh->indices[3 * t + (size_t)(k / 3)] + (size_t)(k % 3)];
             voxels_place(bench, p, place);
             const int v[3] = {(int)fmax(place[0], 0.0), (int)place[1], (int)place[2]};
             if (v[0] >= bench->range.alpha || v[1] >= bench->range.theta || v[2] >= bench->range.phi ||
@@ -41,8 +42,8 @@ static size_t check_points(VoxelBench *bench, int points, const char *what)
                 near_side = near_side || fabs(place[k] - round(place[k])) < 1e-9;
             in_grid++;
             cr_assert(near_side || voxels_get(bench, v),
-                      "%s: a point of triangle %zu lies in voxel %g %g %g, which is not set", what, t, place[0],
-                      place[1], place[2]);
+                      "%s: a point of triangle %zu lies in voxel %g %g %g, which is not set", what, t,
+                      place[0], place[1], place[2]);
         }
     return in_grid;
 }

@@ -5,13 +5,11 @@
 #include <stdlib.h>
 
 enum {
-    GROUP = 64, // invocations, as items.glsl has it
-    ITEMS = 4,  // bindings
-    BOUNDARIES = 5,
-    SLICE_ANGLES = 6,
-    COUNTS = 7,
+    GROUP = 64,    // invocations, as items.glsl has it
     ROOM = 1 << 16 // items at first
 };
+// storage buffers' bindings, as the shaders have them
+enum { VOXELS = 1, FIRST, ITEMS = 4, BOUNDARIES, POSITIONS, INDICES, SLICE_ANGLES, COUNTS };
 
 Triangles triangles_open(const TrianglesSettings *settings)
 {
@@ -156,8 +154,8 @@ static void use(const Shader *shader, const Triangles *triangles, const RasterMe
 {
     shader_use(shader);
     set_grid(shader, grid);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, mesh->positions);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, mesh->indices);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, POSITIONS, mesh->positions);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, INDICES, mesh->indices);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, ITEMS, triangles->items);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, BOUNDARIES, triangles->boundaries);
 }
@@ -192,13 +190,14 @@ void triangles_list(Triangles *triangles, const RasterMesh *mesh, const Triangle
 //]
 
 void triangles_fill(const Triangles *triangles, const RasterMesh *mesh, const TrianglesGrid *grid,
-                    GLuint words)
+                    GLuint voxels, GLuint first)
 {
     if (triangles->counted.items == 0)
         return;
     use(triangles->fill, triangles, mesh, grid);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, words);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, VOXELS, voxels);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, FIRST, first);
     shader_set_uint(triangles->fill, "item_count", triangles->counted.items);
     dispatch(triangles->counted.items);
-    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }

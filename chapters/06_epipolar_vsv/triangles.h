@@ -49,10 +49,10 @@ typedef struct TrianglesGrid {
     bool phi_squared;
 } TrianglesGrid;
 void triangles_aim(Triangles *triangles, const TrianglesGrid *grid);
-// List the pieces of work; then set their voxels' bits in `words` (epipolar_word of epipolar.glsl), which must be clear.
+// List the pieces of work; then set their voxels' bits. `voxels` and `first`: the buffers of 06_epipolar_vsv/voxels.glsl, cleared.
 void triangles_list(Triangles *triangles, const RasterMesh *mesh, const TrianglesGrid *grid);
 void triangles_fill(const Triangles *triangles, const RasterMesh *mesh, const TrianglesGrid *grid,
-                    GLuint words);
+                    GLuint voxels, GLuint first);
 
 // Edges of the mesh that do not belong to an even number of triangles (ends are compared by position): 0 for a closed mesh.
 size_t triangles_open_edges(const Mesh *mesh);

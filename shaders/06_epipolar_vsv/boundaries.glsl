@@ -3,8 +3,10 @@
 // Within a slice (the wedge between two half-planes θ through eye and light) a point is (r, z, w): r across the axis, along the slice's middle; z along
 // the axis from the eye; w along it from the light back to the eye. α is the angle of (r, z), φ that of (r, w), each from 0 (r = 0, the other
 // positive) to π. All three are linear in the point: a face of α is a line through the eye, one of φ a line through the light. Under a light at
-// infinity w is 1 m everywhere: its rays are lines of equal r, and atan(r / 1 m) takes the place of φ.
-#include "common/epipolar.glsl"
+// infinity w is 1 m everywhere, a boundary (1, distance): its rays are lines of equal r.
+#ifndef BOUNDARIES_GLSL
+#define BOUNDARIES_GLSL
+#include "06_epipolar_vsv/voxels.glsl"
 
 layout(std430, binding = 5) readonly buffer Boundaries { dvec2 boundaries[]; }; // cosine and sine; of α, then of θ, then of φ
 
@@ -44,3 +46,5 @@ ivec2 touched(int coordinate, dvec2 least, dvec2 greatest, double wide, double s
     return below - 1;
 }
 //]
+
+#endif

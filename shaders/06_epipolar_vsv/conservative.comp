@@ -3,8 +3,6 @@
 #include "06_epipolar_vsv/wedge.glsl"
 #include "06_epipolar_vsv/items.glsl"
 
-layout(std430, binding = 0) buffer Words { uint words[]; };
-
 //[range
 // The least and the greatest φ of the polygon between two lines through the eye, as directions (r, w). Such a part of a convex polygon is convex: every φ
 // between is met, too; and its corners lie on the polygon's edges, cut to the strip.
@@ -65,7 +63,7 @@ void set_bits(int column, int slice, ivec2 bits)
         uint mask = word == bits.x >> 5 ? 0xffffffffu << (bits.x & 31) : 0xffffffffu;
         if (word == bits.y >> 5)
             mask &= 0xffffffffu >> (31 - (bits.y & 31));
-        atomicOr(words[epipolar_word(column, slice, word)], mask);
+        voxels_set(column, slice, word, mask);
     }
 }
 //]

@@ -2,8 +2,8 @@
 #include "06_epipolar_vsv/wedge.glsl"
 #include "06_epipolar_vsv/items.glsl"
 
-layout(std430, binding = 6) readonly buffer SliceAngles { float slice_angles[]; }; // from the first slice's beginning on, radians; one more than slices
-layout(std430, binding = 7) buffer Counts { uint item_total, outside; };
+layout(std430, binding = 8) readonly buffer SliceAngles { float slice_angles[]; }; // from the first slice's beginning on, radians; one more than slices
+layout(std430, binding = 9) buffer Counts { uint item_total, outside; };
 uniform uint triangle_count;
 uniform double first_angle;
 

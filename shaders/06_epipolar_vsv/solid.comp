@@ -4,8 +4,6 @@
 #include "06_epipolar_vsv/wedge.glsl"
 #include "06_epipolar_vsv/items.glsl"
 
-layout(std430, binding = 0) buffer Words { uint words[]; };
-
 //[plane
 // Where the half-plane through a slice's middle cuts the triangle: two ends (r, z); r is negative beyond the axis, in the other half-plane. An end lies on an edge of
 // the mesh and is computed from that edge's corners alone, in an order that all its triangles agree on, and without fused roundings: so around a closed mesh the
@@ -53,8 +51,10 @@ int middles_before(dvec2 direction)
 // be inside. So an eye within an occluder sees its inside, and what lies beyond the grid's φ counts without being stored.
 void flip(int column, int slice, int bits)
 {
-    for (int word = 0; 32 * word < bits; word++)
-        atomicXor(words[epipolar_word(column, slice, word)], bits - 32 * word >= 32 ? 0xffffffffu : (1u << (bits & 31)) - 1u);
+    for (int word = 0; 32 * word < bits; word++) {
+        atomicXor(voxels[epipolar_word(column, slice, word)], bits - 32 * word >= 32 ? 0xffffffffu : (1u << (bits & 31)) - 1u);
+        atomicMin(first[epipolar_column(slice, word)], uint(column)); // the scan begins no later
+    }
 }
 //]
 
@@ -69,7 +69,16 @@ void main()
     dvec2 ends[2], middle = normalize(boundaries[first_boundary(1) + slice] + boundaries[first_boundary(1) + slice + 1]);
     if (!cut_by_plane(item.triangle, middle, ends))
         return;
-    ivec2 columns = item_columns(item);
+    // the columns of what lies on this side of the axis
+    if (max(ends[0].x, ends[1].x) < 0.0)
+        return;
+    for (int i = 0; i < 2; i++) {
+        dvec2 end = ends[i].x < 0.0 ? mix(ends[i], ends[1 - i], ends[i].x / (ends[i].x - ends[1 - i].x)) : ends[i];
+        polygon[i] = dvec3(max(end.x, 0.0), end.y, 0.0);
+    }
+    corners = 2;
+    ivec2 stretch = item_columns(item), columns = polygon_touches(0, 1.0LF, DOUBT * reach_of(polygon[0], polygon[1], polygon[1]));
+    columns = ivec2(max(columns.x, stretch.x), min(columns.y, stretch.y));
     for (int column = columns.x; column <= columns.y; column++) {
         precise dvec2 ray = boundaries[column] + boundaries[column + 1]; // (cos, sin), longer than 0
         precise double before = ends[0].x * ray.x - ends[0].y * ray.y, behind = ends[1].x * ray.x - ends[1].y * ray.y;

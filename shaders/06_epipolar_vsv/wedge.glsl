@@ -2,8 +2,8 @@
 // triangles are flat, leaves nothing to subdivide. Wyman (2011) connects corners in (α, θ, φ), where edges are curved; flat.glsl does that.
 #include "06_epipolar_vsv/boundaries.glsl"
 
-layout(std430, binding = 1) readonly buffer Positions { float positions[]; }; // 3 a vertex, metres
-layout(std430, binding = 2) readonly buffer Indices { uint indices[]; };      // 3 a triangle
+layout(std430, binding = 6) readonly buffer Positions { float positions[]; }; // 3 a vertex, metres
+layout(std430, binding = 7) readonly buffer Indices { uint indices[]; };      // 3 a triangle
 
 uniform dvec3 eye, across, upwards, axis; // metres; a right-angled frame, axis towards the light; θ from `across` to `upwards`
 uniform double light_distance;            // metres; negative: the light is at infinity
