@@ -154,7 +154,7 @@ int main(int argc, char **argv)
                         range.alpha_least = 0.0f; // see triangles.h
                     vsv_aim(&vsv[i], &frame, &range, &camera, width, height);
                     if (!run_chosen(run, "range", "full") || frame.at_infinity)
-                        query_range(&query, &vsv[i], &seen);
+                        query_range(&query, &vsv[i], &seen, picture[AIRLIGHT].texture);
                 }
                 if (run_pass(run, "clear", true, NULL))
                     vsv_clear(&vsv[i]);
