@@ -113,7 +113,7 @@ void main()
 #endif
     vec3 rest = vec3(0.0); // no occluder reaches beyond the grid: there all is lit
     float most = epipolar_least.z + epipolar_span.z;
-    for (bool beyond = phi > most * (1.0 + 1e-5); beyond; beyond = false)
+    for (bool beyond = phi > most * (1.0 + 1e-3); beyond; beyond = false)
         rest = stretch(ray, clamp(epipolar_along(alpha, most), ray.from, ray.to), ray.to);
     ray_store(pixel, ray, vec3(sum) + rest, 3u * uint(CORNERS));
 }

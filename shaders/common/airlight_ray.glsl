@@ -74,7 +74,7 @@ Ray ray_of(ivec2 pixel)
 #else
     airlight_from_vectors(-eye_from_origin, ray.direction, ray.nearest, ray.foot);
     ray.nearest = max(ray.nearest, AIRLIGHT_LEAST);
-    for (bool cone = light_cone.y > 0.0; cone; cone = false) // a loop: this renderer ends it early, but computes both sides of an if
+    if (light_cone.y > 0.0)
         ray_clip_cone(ray);
     // The way eye-point-light grows along the ray: beyond `cut` of s = r + (t - foot) less than e^-14 of the airlight is left.
     float start = ray.from - ray.foot, sum = airlight_hypotenuse(ray.nearest, start) + abs(start);
