@@ -40,9 +40,10 @@ Airlight airlight_open(const AirlightSettings *settings, const DepthMap *maps, s
             continue;
         // the order of LightKind; in the shaders: CUBE 0, SPOT 1, DIRECTIONAL 2
         char *definitions = text_format(
-            "METHOD %d\nVARIANT %d\nPHASE %d\nAIRLIGHT_NODES %d\nMAP_KIND %d\nSHADOWED %d\nCOUNT %d\nGREY %d",
+            "METHOD %d\nVARIANT %d\nPHASE %d\nAIRLIGHT_NODES %d\nMAP_KIND %d\nSHADOWED %d\nCOUNT %d\nGREY %d\n%s",
             method, index_of(variants, settings->variant, "variant"), airlight_phase(settings->phase),
-            settings->nodes, kind, settings->shadowed, settings->count, settings->grey);
+            settings->nodes, kind, settings->shadowed, settings->count, settings->grey,
+            settings->definitions ? settings->definitions : "");
         airlight.shader[kind] = shader_open("airlight", definitions, file);
         free(definitions);
     }

@@ -20,7 +20,7 @@ typedef struct AirlightSettings {
     bool count;           // lookups and rays left out are counted: costs time
     // A chapter's own method: its compute shader, which starts from common/airlight_ray.glsl, METHOD in it, and an R32F image that it reads at
     // binding 3. NULL: one of the methods above; 0: no image.
-    const char *shader;
+    const char *shader, *definitions; // more of them, or NULL
     int number;
     GLuint table;
 } AirlightSettings;

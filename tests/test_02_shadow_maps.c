@@ -220,7 +220,7 @@ static void check_filter(MapFilter filter, float radius)
                               .filter = filter,
                               .radius = radius};
     float *got = shadow_ask(&bench, &map, &lookup, 0);
-    float *depth = shadow_read(map.depth.distance, GL_RED, 1, (size_t)(side * side));
+    float *depth = shadow_read(map.depth.distance, GL_RED, 1, (size_t)side * (size_t)side);
     static double p[SIDE * SIDE][3];
     shadow_points(&bench, p);
     int between = 0;
@@ -270,9 +270,10 @@ Test(shadow, paraboloid_and_cube_find_a_direction_again)
     int count = 0;
     for (int k = 0; k < 27; k++) // axes, edges and corners exactly
         if (k != 13) {
-            directions[count][0] = (float)(k % 3 - 1);
-            directions[count][1] = (float)(k / 3 % 3 - 1);
-            directions[count++][2] = (float)(k / 9 - 1);
+            const int of[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+            for (int axis = 0; axis < 3; axis++)
+                directions[count][axis] = (float)of[axis];
+            count++;
         }
     for (int k = 0; count < COUNT; k++, count++) { // a spiral over the sphere
         const float z = 1 - 2 * ((float)k + 0.5f) / 200, turn = 2.399963f * (float)k;

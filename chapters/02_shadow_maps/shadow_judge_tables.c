@@ -162,11 +162,11 @@ static const double MEAN_SHARE = 0.02;
 
 static double mean_red(const Image *image)
 {
-    const int pixels = image->width * image->height;
+    const size_t pixels = (size_t)image->width * (size_t)image->height, channels = (size_t)image->channels;
     double sum = 0;
-    for (int i = 0; i < pixels; i++)
-        sum += (double)image->pixels[image->channels * i];
-    return sum / pixels;
+    for (size_t i = 0; i < pixels; i++)
+        sum += (double)image->pixels[channels * i];
+    return sum / (double)pixels;
 }
 
 static void check_bounce(Run *run, const Asked *asked, const Truth *truth, const Image *image,
