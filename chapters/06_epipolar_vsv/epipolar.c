@@ -114,7 +114,7 @@ static bool inside_picture(const Vector corners[4], Vector way)
 {
     bool inside = true;
     for (int i = 0; i < 4; i++)
-        inside = inside && dot(cross(corners[i], corners[(i + 1) % 4]), way) > -1e-7;
+        inside = inside && dot(cross(corners[(i + 1) % 4], corners[i]), way) > -1e-7;
     return inside;
 }
 
@@ -168,6 +168,23 @@ EpipolarRange epipolar_range_seen(const EpipolarFrame *frame, const Camera *came
     }
     return range;
 }
+
+//[box
+// What lies within an angle below π/2 of a ray, or within a distance of a line, is convex: it holds a box whose corners it holds.
+float epipolar_phi_of_box(const EpipolarFrame *frame, vec3 lower, vec3 upper)
+{
+    const Vector axis = vector_of(frame->axis), eye = vector_of(frame->eye);
+    double most = 0.0;
+    for (int i = 0; i < 8; i++) {
+        const vec3 corner =
+            vec3_make(i & 1 ? upper[0] : lower[0], i & 2 ? upper[1] : lower[1], i & 4 ? upper[2] : lower[2]);
+        const Vector from_eye = sum(1.0, vector_of(corner), -1.0, eye);
+        const double beside = length(cross(axis, from_eye)), along = dot(axis, from_eye);
+        most = fmax(most, frame->at_infinity ? beside : atan2(beside, (double)frame->distance - along));
+    }
+    return (float)(frame->at_infinity || most < 0.5 * PI ? most : PI);
+}
+//]
 
 static int compare(const void *a, const void *b)
 {

@@ -27,6 +27,8 @@ EpipolarRange epipolar_range_full(int alpha, int theta, int phi);
 // α and θ cut down to what the picture shows. φ depends on where the rays end; it stays full.
 EpipolarRange epipolar_range_seen(const EpipolarFrame *frame, const Camera *camera, float aspect, int alpha,
                                   int theta, int phi);
+// The greatest φ at which a light ray can meet this box: beyond it all is lit. Where the light's half space does not hold the box, π.
+float epipolar_phi_of_box(const EpipolarFrame *frame, vec3 lower, vec3 upper);
 // Borders of θ slices for shaders with THETA_TABLE: range->theta + 1 floats that rise from 0 to 1 over the range, so that neighbours lie at most a pixel apart
 // where slices suffice for that, and evenly many pixels apart where not. New memory. *needed: how many slices suffice.
 float *epipolar_theta_borders(const EpipolarFrame *frame, const EpipolarRange *range, const Camera *camera,

@@ -167,7 +167,7 @@ int main(int argc, char **argv)
                                                                           size.alpha, size.theta, size.phi);
                     vsv_aim(&vsv[i], &frame, &range, &camera, width, height);
                     if (!run_chosen(run, "range", "full") || frame.at_infinity)
-                        query_range(&query, &vsv[i], &seen);
+                        query_range(&query, &vsv[i], &seen, picture[AIRLIGHT].texture);
                 }
                 if (run_pass(run, "clear", !by_rays, NO_GRID))
                     vsv_clear(&vsv[i]);

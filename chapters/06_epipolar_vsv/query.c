@@ -47,17 +47,21 @@ static void ask(const Airlight *what, const Vsv *vsv, const QueryView *view, GLu
     airlight_add(what, view->gbuffer, view->camera, view->scene, view->light, view->map, picture);
 }
 
-void query_range(const Query *query, Vsv *vsv, const QueryView *view)
+void query_range(const Query *query, Vsv *vsv, const QueryView *view, GLuint picture)
 {
     const float start[2] = {INFINITY, 0.0f};
     float phi[2];
     gl.NamedBufferSubData(query->phi, 0, sizeof start, start);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, query->phi);
-    ask(&query->range, vsv, view, view->gbuffer->distance);
+    ask(&query->range, vsv, view, picture);
     gl_buffer_read(query->phi, 0, sizeof phi, phi);
-    const bool any = phi[0] < phi[1];
+    // The last light ray lies beyond the box, so that it is lit, and with it all that the grid does not cover.
+    const float met = epipolar_phi_of_box(&vsv->frame, view->scene->lower, view->scene->upper),
+                beyond = met * (1.0f + 4.0f / (float)vsv->settings.phi);
+    const bool any = phi[0] < phi[1] && phi[0] < beyond;
     vsv->range.phi_least = any ? phi[0] : 0.0f;
-    vsv->range.phi_most = any ? phi[1] : 1.0f; // no ray meets light: anything will do
+    vsv->range.phi_most =
+        any ? fminf(phi[1], beyond) : 1.0f; // no ray meets light, or none shadow: anything will do
 }
 
 void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)

@@ -22,8 +22,8 @@ typedef struct QueryView {
     const Camera *camera;
     const GBuffer *gbuffer;
 } QueryView;
-// Cut vsv->range's φ down to what the view's rays reach; vsv has been aimed.
-void query_range(const Query *query, Vsv *vsv, const QueryView *view);
+// Cut vsv->range's φ down to what the view's rays reach; vsv has been aimed. `picture` gives the size alone.
+void query_range(const Query *query, Vsv *vsv, const QueryView *view, GLuint picture);
 // Add the light's airlight, W/(sr·m²); or the share of each ray's voxels that are set.
 void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
 void query_counts(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
