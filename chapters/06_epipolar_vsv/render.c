@@ -1,7 +1,7 @@
 // render: see render.h.
 #include "render.h"
 
-void render_volume(Vsv *vsv, const Query *query, const QueryView *view, bool full)
+void render_volume(Vsv *vsv, const Query *query, const QueryView *view, bool full, GLuint scratch)
 {
     const GBuffer *seen = view->gbuffer;
     const VsvSettings *size = &vsv->settings;
@@ -12,7 +12,7 @@ void render_volume(Vsv *vsv, const Query *query, const QueryView *view, bool ful
              : epipolar_range_seen(&frame, view->camera, aspect, size->alpha, size->theta, size->phi);
     vsv_aim(vsv, &frame, &range, view->camera, seen->width, seen->height);
     if (!full || frame.at_infinity) // a directional light's φ has no largest that needs no picture
-        query_range(query, vsv, view);
+        query_range(query, vsv, view, scratch);
     vsv_clear(vsv);
     vsv_voxelize_map(vsv, view->light, view->map);
     vsv_scan(vsv);
@@ -30,7 +30,7 @@ Image render_picture(const Raster *raster, const Scene *scene, const Camera *cam
     for (size_t i = 0; i < scene->light_count; i++) {
         const QueryView seen = {scene, &scene->lights[i], &view.maps[i], camera, &view.gbuffer};
         Vsv vsv = vsv_open(&settings->volume, &view.maps[i]);
-        render_volume(&vsv, &query, &seen, settings->full);
+        render_volume(&vsv, &query, &seen, settings->full, target.texture);
         query_airlight(&query, &vsv, &seen, target.texture);
         vsv_close(&vsv);
     }
