@@ -1,6 +1,5 @@
 // rays: see rays.h.
 #include "rays.h"
-#include "lanes.h"
 #include "measure.h"
 
 #include <embree3/rtcore.h>
@@ -9,8 +8,16 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-// A packet is a tile of 4 × 4 pixels at one φ: all its rays leave the light side by side.
-enum { TILE = 4, MOST_THREADS = 64, PHASE_ENTRIES = 4096 };
+// A packet is a tile of 4 × 4 pixels at one φ: all its rays leave the light side by side. What is done for all of its 16 lanes is written as loops of 16
+// without a branch, which compilers turn into vectors; WIDE compiles a function for each width of registers, the machine's is taken when the program starts.
+#if defined(__x86_64__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define WIDE
+#endif
+#define INLINE  static inline __attribute__((always_inline))
+#define EACH(i) for (int i = 0; i < LANES; i++)
+enum { LANES = 16, TILE = 4, MOST_THREADS = 64, PHASE_ENTRIES = 4096 };
 struct Rays {
     RTCScene scene; // holds the device
 };
@@ -67,6 +74,9 @@ typedef struct Job {
     float *sine, *cosine, *share;   // of each φ; share: the cell's width
     float phase[PHASE_ENTRIES + 1]; // of (α + φ) / π
     bool uniform, grey;
+    float even_phase; // the uniform phase function; of others 1, they are in each sample's weight
+    vec3 cone_axis;
+    float cone_cosine;
     vec3 right, up,
         forward; // of the camera, right and up half as long as the picture is wide and high at 1 m
     int tiles_x, tiles, stride;
@@ -77,8 +87,8 @@ typedef struct Job {
 // A tile's pixels: their rays as (sin α, cos α) and the unit vector across the axis in each ray's half-plane.
 typedef struct Tile {
     int x, y;
-    lanes sine, cosine, distance; // distance < 0: beside the picture
-    lanes3 beside, along;
+    float sine[LANES], cosine[LANES], distance[LANES]; // distance < 0: beside the picture
+    float beside[3][LANES], along[3][LANES];
 } Tile;
 
 static Tile tile_make(const Job *job, int number)
@@ -96,8 +106,10 @@ static Tile tile_make(const Job *job, int number)
         const vec3 beside = vec3_normalize(across);
         tile.sine[i] = fmaxf(vec3_length(across), 1e-7f); // on the axis: a ray that passes the light so near
         tile.cosine[i] = vec3_dot(axis, way);
-        tile.beside.x[i] = beside[0], tile.beside.y[i] = beside[1], tile.beside.z[i] = beside[2];
-        tile.along.x[i] = way[0], tile.along.y[i] = way[1], tile.along.z[i] = way[2];
+        for (int k = 0; k < 3; k++) {
+            tile.beside[k][i] = beside[k];
+            tile.along[k][i] = way[k];
+        }
         tile.distance[i] = inside ? view->distance[y * view->width + x] : -1.0f;
     }
     return tile;
@@ -105,71 +117,112 @@ static Tile tile_make(const Job *job, int number)
 
 // Samples of all 16 pixels on the light rays φ.
 typedef struct Samples {
-    lanes t, r;   // metres from eye and light
-    lanes weight; // dt / max(r, r0)² (directional: dt) times the phase function
-    mask inside;  // before the first surface, in the light's cone
+    float path[LANES];    // metres from the eye to the sample to the light
+    float weight[LANES];  // dt / max(r, r0)² (directional: dt), still without the phase function
+    float turn[2][LANES]; // sine and cosine of the angle that scattered light turns by
+    int32_t inside[LANES]
+        __attribute__((aligned(64))); // -1: before the first surface, in the light's cone; else 0
+    int count;                        // of those
+    int32_t before[LANES]; // -1: before the first surface: where no lane is, none is at any larger φ
+    bool over;
 } Samples;
 
-static lanes phase_of(const Job *job, lanes sine, lanes cosine)
+INLINE void samples_of_sun(const Job *job, const Tile *tile, int k, Samples *at, struct RTCRay16 *ray)
 {
-    if (job->uniform)
-        return lanes_all(job->phase[0]);
-    lanes value;
-    for (int i = 0; i < LANES; i++) {
-        const float at = atan2f(sine[i], cosine[i]) * (float)(PHASE_ENTRIES / M_PI);
-        const int below = (int)fminf(fmaxf(at, 0.0f), (float)(PHASE_ENTRIES - 1));
-        value[i] = job->phase[below] + (at - (float)below) * (job->phase[below + 1] - job->phase[below]);
+    const vec3 eye = job->view->frame.eye, axis = job->view->frame.axis;
+    const float middle = job->view->middle[k], share = job->share[k];
+    EACH(i)
+    {
+        const float t = middle / tile->sine[i];
+        at->path[i] = t;
+        at->weight[i] = share / tile->sine[i];
+        at->turn[0][i] = tile->sine[i];
+        at->turn[1][i] = tile->cosine[i];
+        at->inside[i] = at->before[i] = t <= tile->distance[i] ? -1 : 0;
+        ray->org_x[i] = eye[0] + t * tile->along[0][i];
+        ray->org_y[i] = eye[1] + t * tile->along[1][i];
+        ray->org_z[i] = eye[2] + t * tile->along[2][i];
+        ray->dir_x[i] = axis[0];
+        ray->dir_y[i] = axis[1];
+        ray->dir_z[i] = axis[2];
+        ray->tfar[i] = INFINITY;
     }
-    return value;
 }
 
-static Samples samples_at(const Job *job, const Tile *tile, int k, struct RTCRay16 *ray)
+INLINE void samples_of_lamp(const Job *job, const Tile *tile, int k, Samples *at, struct RTCRay16 *ray)
 {
     const RaysView *view = job->view;
-    const EpipolarFrame *frame = &view->frame;
-    Samples at;
-    lanes3 way; // of the ray from the light
-    if (frame->at_infinity) {
-        at.t = view->middle[k] / tile->sine;
-        at.r = lanes_all(0.0f);
-        at.inside = at.t <= tile->distance;
-        at.weight = job->share[k] / tile->sine * phase_of(job, tile->sine, tile->cosine);
-        way = (lanes3){lanes_all(frame->axis[0]), lanes_all(frame->axis[1]), lanes_all(frame->axis[2])};
-        *(lanes *)ray->org_x = frame->eye[0] + at.t * tile->along.x;
-        *(lanes *)ray->org_y = frame->eye[1] + at.t * tile->along.y;
-        *(lanes *)ray->org_z = frame->eye[2] + at.t * tile->along.z;
-        *(lanes *)ray->tfar = lanes_all(INFINITY);
-    } else {
-        const float s = job->sine[k], c = job->cosine[k], radius = view->light->radius;
-        const lanes third = tile->sine * c + tile->cosine * s; // sin(α + φ)
-        const lanes scale = frame->distance / lanes_choose(third > lanes_all(1e-9f), third, lanes_all(1e-9f));
-        at.t = s * scale;
-        at.r = tile->sine * scale;
-        at.inside = (third > lanes_all(1e-9f)) & (at.t <= tile->distance);
-        const lanes held = at.r * at.r / (radius * radius);
-        at.weight = job->share[k] / (frame->distance * tile->sine) *
-                    phase_of(job, third, tile->cosine * c - tile->sine * s) *
-                    lanes_choose(held < lanes_all(1.0f), held, lanes_all(1.0f));
-        way = (lanes3){s * tile->beside.x - c * frame->axis[0], s * tile->beside.y - c * frame->axis[1],
-                       s * tile->beside.z - c * frame->axis[2]};
-        if (view->light->kind == LIGHT_SPOT) {
-            const vec3 d = view->light->direction;
-            const lanes ahead = way.x * d[0] + way.y * d[1] + way.z * d[2];
-            at.inside &= ahead >= lanes_all(cosf(view->light->half_angle_rad));
-        }
-        *(lanes *)ray->org_x = lanes_all(view->light->position[0]);
-        *(lanes *)ray->org_y = lanes_all(view->light->position[1]);
-        *(lanes *)ray->org_z = lanes_all(view->light->position[2]);
-        *(lanes *)ray->tfar = at.r;
+    const vec3 axis = view->frame.axis, lamp = view->light->position, ahead = job->cone_axis;
+    const float s = job->sine[k], c = job->cosine[k], far = view->frame.distance, share = job->share[k] / far;
+    const float over_radius = 1.0f / view->light->radius, least = job->cone_cosine;
+    EACH(i)
+    {
+        const float third = tile->sine[i] * c + tile->cosine[i] * s; // sin(α + φ), by the law of sines
+        const float scale = far / (third > 1e-9f ? third : 1e-9f), t = s * scale, r = tile->sine[i] * scale;
+        const float x = s * tile->beside[0][i] - c * axis[0], y = s * tile->beside[1][i] - c * axis[1],
+                    z = s * tile->beside[2][i] - c * axis[2];
+        const float held = r * over_radius, in_cone = x * ahead[0] + y * ahead[1] + z * ahead[2] - least;
+        at->path[i] = t + r;
+        at->weight[i] = share / tile->sine[i] * (held < 1.0f ? held * held : 1.0f);
+        at->turn[0][i] = third;
+        at->turn[1][i] = tile->cosine[i] * c - tile->sine[i] * s;
+        // `third` is held above 0, so that what lies beyond any point of the ray is as far as it can be, and no further
+        at->before[i] = ((third > 1e-9f) & (t <= tile->distance[i])) ? -1 : 0;
+        at->inside[i] = in_cone >= 0.0f ? at->before[i] : 0;
+        ray->org_x[i] = lamp[0];
+        ray->org_y[i] = lamp[1];
+        ray->org_z[i] = lamp[2];
+        ray->dir_x[i] = x;
+        ray->dir_y[i] = y;
+        ray->dir_z[i] = z;
+        ray->tfar[i] = r;
     }
-    *(lanes *)ray->dir_x = way.x;
-    *(lanes *)ray->dir_y = way.y;
-    *(lanes *)ray->dir_z = way.z;
-    *(lanes *)ray->tnear = lanes_all(0.0f);
-    *(lanes *)ray->time = lanes_all(0.0f);
-    *(mask *)ray->mask = (mask){0} - 1;
-    *(mask *)ray->flags = (mask){0};
-    return at;
+}
+
+INLINE void samples_at(const Job *job, const Tile *tile, int k, Samples *at, struct RTCRay16 *ray)
+{
+    if (job->view->frame.at_infinity)
+        samples_of_sun(job, tile, k, at, ray);
+    else
+        samples_of_lamp(job, tile, k, at, ray);
+    int before = 0;
+    at->count = 0;
+    EACH(i)
+    {
+        ray->tnear[i] = 0.0f;
+        ray->time[i] = 0.0f;
+        ray->mask[i] = UINT32_MAX;
+        ray->flags[i] = 0;
+        at->count -= at->inside[i];
+        before -= at->before[i];
+    }
+    at->over = before == 0;
+}
+
+static void apply_phase(const Job *job, Samples *at)
+{
+    EACH(i)
+    {
+        const float place =
+            fmaxf(atan2f(at->turn[0][i], at->turn[1][i]), 0.0f) * (float)(PHASE_ENTRIES / M_PI);
+        const int below = (int)fminf(place, (float)(PHASE_ENTRIES - 1));
+        const float *value = &job->phase[below];
+        at->weight[i] *= value[0] + (place - (float)below) * (value[1] - value[0]);
+    }
+}
+
+// e^x for x <= 0: 2^n · 2^f with f in [-1/2, 1/2], whose polynomial (Taylor's in f ln 2) is good to 2e-7.
+INLINE float exponential(float x)
+{
+    const float magic = 12582912.0f; // 1.5 · 2^23: adding it rounds to a whole number
+    const float power = x * 1.44269504f, held = power > -126.0f ? power : -126.0f;
+    const float whole = (held + magic) - magic, f = (held - whole) * 0.693147181f;
+    const float tail = 4.16666667e-2f + f * (8.33333333e-3f + f * 1.38888889e-3f);
+    const union {
+        int32_t bits;
+        float value;
+    } scale = {((int32_t)whole + 127) << 23};
+    return scale.value * (1.0f + f * (1.0f + f * (0.5f + f * (1.66666667e-1f + f * tail))));
 }
 
 static struct RTCIntersectContext coherent(void)
@@ -180,55 +233,68 @@ static struct RTCIntersectContext coherent(void)
     return context;
 }
 
-static void draw_tile(Job *job, const Tile *tile)
+WIDE static void draw_tile(Job *job, const Tile *tile)
 {
     const RaysView *view = job->view;
-    const Medium *medium = &view->scene->medium;
+    const vec3 scattering = view->scene->medium.scattering,
+               extinction = scattering + view->scene->medium.absorption;
     struct RTCIntersectContext context = coherent();
-    lanes sum[3] = {{0}, {0}, {0}};
+    float sum[3][LANES] = {{0}};
     long long sent = 0;
     for (int k = 0; k < view->phi; k++) {
         struct RTCRay16 ray;
-        const Samples at = samples_at(job, tile, k, &ray);
-        if (!lanes_any(at.inside))
+        Samples at;
+        samples_at(job, tile, k, &at, &ray);
+        if (at.over)
+            break;
+        if (at.count == 0)
             continue;
-        sent += lanes_count(at.inside);
-        rtcOccluded16((const int *)&at.inside, job->rays->scene, &context, &ray);
-        const mask lit = at.inside & (*(lanes *)ray.tfar >= lanes_all(0.0f)); // Embree's mark: -Inf
-        const lanes weight = (lanes)(lit & (mask)at.weight), path = at.t + at.r;
+        sent += at.count;
+        rtcOccluded16(at.inside, job->rays->scene, &context, &ray);
+        if (!job->uniform)
+            apply_phase(job, &at);
         for (int c = 0; c < (job->grey ? 1 : 3); c++)
-            sum[c] += weight * lanes_exp(-(medium->scattering[c] + medium->absorption[c]) * path);
+            EACH(i)
+            {
+                const float value = at.weight[i] * exponential(-extinction[c] * at.path[i]);
+                const int32_t lit = ray.tfar[i] >= 0.0f ? at.inside[i] : 0; // Embree's mark: -Inf
+                sum[c][i] += lit ? value : 0.0f;
+            }
     }
-    for (int i = 0; i < LANES; i++) {
+    EACH(i)
+    {
         const int x = tile->x + i % TILE, y = tile->y + i / TILE;
         if (x < view->width && y < view->height)
             for (int c = 0; c < 3; c++)
                 job->picture[4 * (y * view->width + x) + c] +=
-                    medium->scattering[c] * view->light->intensity[c] * sum[job->grey ? 0 : c][i];
+                    scattering[c] * view->light->intensity[c] * job->even_phase * sum[job->grey ? 0 : c][i];
     }
     atomic_fetch_add(&job->sent, sent);
 }
 
 // Packets are made a few at a time, so that they are still near the processor when the clock starts.
-static void shoot_tile(Job *job, const Tile *tile)
+WIDE static void shoot_tile(Job *job, const Tile *tile)
 {
     enum { AHEAD = 64 };
     struct RTCRay16 ray[AHEAD];
-    mask inside[AHEAD];
+    Samples at[AHEAD];
     struct RTCIntersectContext context = coherent();
     long long sent = 0;
     double milliseconds = 0.0;
     for (int k = 0, filled = 0; k < job->view->phi; k++) {
-        inside[filled] = samples_at(job, tile, k, &ray[filled]).inside;
-        if (lanes_any(inside[filled]))
-            sent += lanes_count(inside[filled++]);
-        if (filled < AHEAD && k + 1 < job->view->phi)
+        samples_at(job, tile, k, &at[filled], &ray[filled]);
+        sent += at[filled].count;
+        const bool last = k + 1 == job->view->phi || at[filled].over;
+        filled += at[filled].count > 0;
+        if (filled < AHEAD && !last)
             continue;
         const double start = measure_now_ms();
         for (int i = 0; i < filled; i++)
-            rtcOccluded16((const int *)&inside[i], job->rays->scene, &context, &ray[i]);
+            rtcOccluded16(at[i].inside, job->rays->scene, &context, &ray[i]);
         milliseconds += measure_now_ms() - start;
         filled = 0;
+        if (last)
+            break;
     }
     atomic_fetch_add(&job->sent, sent);
     atomic_fetch_add(&job->nanoseconds, (long long)(milliseconds * 1e6));
@@ -279,6 +345,9 @@ static Job *job_make(const Rays *rays, const RaysView *view, float *picture, int
     job->tiles_x = (view->width + TILE - 1) / TILE;
     job->tiles = job->tiles_x * ((view->height + TILE - 1) / TILE);
     job->uniform = view->phase->name[0] == 'u';
+    job->even_phase = job->uniform ? (float)truth_phase(view->phase, 1.0) : 1.0f;
+    job->cone_axis = view->light->kind == LIGHT_SPOT ? view->light->direction : vec3_make(0, 0, 0);
+    job->cone_cosine = view->light->kind == LIGHT_SPOT ? cosf(view->light->half_angle_rad) : 0.0f;
     job->grey = extinction[0] == extinction[1] && extinction[1] == extinction[2];
     for (int i = 0; i <= PHASE_ENTRIES; i++)
         job->phase[i] = (float)truth_phase(view->phase, cos(M_PI * i / PHASE_ENTRIES));
