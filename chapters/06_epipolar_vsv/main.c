@@ -7,6 +7,7 @@
 #include "baseline.h"
 #include "cell24.h"
 #include "judge.h"
+#include "triangles_vsv.h"
 #include "vsv_scenes.h"
 
 #include <stdlib.h>
@@ -17,7 +18,7 @@ static const char *const scenes[] = {"fence", "toroid", "colonnade", "forest",
 
 // clang-format off
 static const RunParameter parameters[] = {
-    {.name = "method", .kind = RUN_CHOICE, .choices = "map rays march equiangular segments", .shows = "how voxels are found; or the same picture by shadow rays at the grid's angles, or by brute force on the map"},
+    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative solid rays march equiangular segments", .shows = "how voxels are found; or the same picture by shadow rays at the grid's angles, or by brute force on the map"},
     {.name = "alpha", .kind = RUN_INTEGER, .least = 1, .most = 4096, .initial = {512}, .unit = "voxels", .shows = "view rays in a slice"},
     {.name = "theta", .kind = RUN_INTEGER, .least = 1, .most = 8192, .initial = {1024}, .unit = "voxels", .shows = "slices about the line from eye to light"},
     {.name = "phi", .kind = RUN_CHOICE, .choices = "512 128 256 1024", .shows = "light rays in a slice"},
@@ -100,7 +101,8 @@ int main(int argc, char **argv)
         const vec3 extinction = scene->medium.scattering + scene->medium.absorption;
         const size_t lights = scene->light_count;
         const bool by_rays = run_chosen(run, "method", "rays");
-        const bool brute = !by_rays && !run_chosen(run, "method", "map");
+        const bool geometric = triangles_method(run_choice(run, "method"));
+        const bool brute = !by_rays && !geometric && !run_chosen(run, "method", "map");
         const AirlightSettings settings = {.method = brute ? run_choice(run, "method") : "march",
                                            .variant = "intervals",
                                            .phase = run_choice(run, "phase"),
@@ -122,6 +124,12 @@ int main(int argc, char **argv)
         RasterView view = raster_view_open(raster, scene, width, height, run_integer(run, "map"));
         Airlight march = {0};
         Query query = {0};
+        Triangles triangles = {0};
+        if (geometric) {
+            triangles = triangles_open(&(TrianglesSettings){.solid = run_chosen(run, "method", "solid")});
+            if (triangles.settings.solid)
+                triangles_need_closed(scene);
+        }
         Vsv *vsv = memory_new(lights + 1, sizeof *vsv, "volumes");
         if (brute)
             march = airlight_open(&settings, view.maps, lights);
@@ -161,18 +169,29 @@ int main(int argc, char **argv)
                 seen.map = &view.maps[i];
                 if (run_pass(run, "range", true, NULL)) {
                     const EpipolarFrame frame = epipolar_frame(&camera, seen.light);
-                    const EpipolarRange range = run_chosen(run, "range", "full")
-                                                    ? epipolar_range_full(size.alpha, size.theta, size.phi)
-                                                    : epipolar_range_seen(&frame, &camera, run_aspect(run),
-                                                                          size.alpha, size.theta, size.phi);
+                    EpipolarRange range = run_chosen(run, "range", "full")
+                                              ? epipolar_range_full(size.alpha, size.theta, size.phi)
+                                              : epipolar_range_seen(&frame, &camera, run_aspect(run),
+                                                                    size.alpha, size.theta, size.phi);
+                    if (triangles.settings.solid)
+                        range.alpha_least = 0.0f; // see triangles.h
                     vsv_aim(&vsv[i], &frame, &range, &camera, width, height);
                     if (!run_chosen(run, "range", "full") || frame.at_infinity)
                         query_range(&query, &vsv[i], &seen, picture[AIRLIGHT].texture);
                 }
                 if (run_pass(run, "clear", !by_rays, NO_GRID))
                     vsv_clear(&vsv[i]);
-                if (run_pass(run, "voxels", !by_rays, NO_GRID))
-                    vsv_voxelize_map(&vsv[i], seen.light, seen.map);
+                if (geometric && run_pass(run, "extents", true, NULL)) {
+                    triangles_vsv_list(&triangles, &view.mesh, &vsv[i], seen.light);
+                    run_skipped(run, triangles.counted.outside, (double)scene->mesh.triangle_count);
+                    run_count(run, "items", triangles.counted.items);
+                }
+                if (run_pass(run, "voxels", !by_rays, NO_GRID)) {
+                    if (geometric)
+                        triangles_vsv_fill(&triangles, &view.mesh, &vsv[i], seen.light);
+                    else
+                        vsv_voxelize_map(&vsv[i], seen.light, seen.map);
+                }
                 if (i == 0 && run_pass_common(run, "show voxels", run_step_shown(run, "voxels"),
                                               "another picture is shown"))
                     vsv_show(&vsv[i], flat, picture[VOXELS].texture, width, height);
@@ -236,6 +255,7 @@ int main(int argc, char **argv)
         for (size_t i = 0; i < lights && !brute; i++)
             vsv_close(&vsv[i]);
         free(vsv);
+        triangles_close(&triangles);
         if (brute)
             airlight_close(&march);
         else
