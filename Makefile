@@ -230,7 +230,7 @@ test-clang:
 	@$(MAKE) CC=clang BUILD=build/clang WERROR=1 test-now
 test-mutants: $(BUILD)/test_all $(BUILD)/test_exercises ## each tests/mutants/code/*.diff must turn the test that it names red
 	@sh tests/tools/mutants.sh
-test-readme: $(PROGRAMS) ## run the commands that README and lessons print
+test-readme: $(PROGRAMS) $(BUILD)/compare ## run the commands that README and lessons print
 	@sh tests/tools/readme_commands.sh README.md chapters/README.md $(wildcard chapters/*/README.md)
 
 SANITIZERS := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer

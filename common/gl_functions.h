@@ -99,6 +99,7 @@
     X(ReadPixels, READPIXELS) \
     X(Scissor, SCISSOR) \
     X(ShaderSource, SHADERSOURCE) \
+    X(TextureBuffer, TEXTUREBUFFER) \
     X(TextureParameteri, TEXTUREPARAMETERI) \
     X(TextureStorage1D, TEXTURESTORAGE1D) \
     X(TextureStorage2D, TEXTURESTORAGE2D) \

@@ -3,6 +3,7 @@
 #define RASTER_H
 
 #include "gl.h"
+#include "image.h"
 #include "scene.h"
 #include "shader.h"
 
@@ -94,5 +95,31 @@ void raster_fullscreen(const Raster *raster, const Shader *shader, GLuint frameb
 void raster_set_camera(const Shader *shader, const Camera *camera, float aspect);
 // Set light_direction, light_intensity, light_radius, and light_cone as shadow_in_cone of shaders/common/shadow.glsl takes it.
 void raster_set_light(const Shader *shader, const Light *light);
+
+// An RGBA32F picture that can be drawn into and cleared (to 0).
+typedef struct RasterTarget {
+    GLuint texture, framebuffer;
+} RasterTarget;
+RasterTarget raster_target_open(const char *label, int width, int height);
+void raster_target_close(RasterTarget *target);
+void raster_target_clear(const RasterTarget *target);
+// Top row first, 4 channels; the caller frees it.
+Image raster_target_read(const RasterTarget *target, int width, int height);
+
+// What techniques start from: the scene's triangles, what the camera sees, and a depth map of the whole scene for each light. Keeps raster and scene.
+typedef struct RasterView {
+    const Raster *raster;
+    const Scene *scene;
+    RasterMesh mesh;
+    GBuffer gbuffer;
+    DepthMap *maps; // one a light
+} RasterView;
+RasterView raster_view_open(const Raster *raster, const Scene *scene, int width, int height,
+                            int map_resolution);
+void raster_view_close(RasterView *view);
+void raster_view_draw_maps(const RasterView *view);
+
+// Whether anything can cast a shadow into what the camera sees, its air included: false where the shadow of the scene's box is certain to miss the view.
+bool raster_can_shadow(const Scene *scene, const Light *light, const Camera *camera, float aspect);
 
 #endif

@@ -114,6 +114,9 @@ void run_truth(Run *run, const Image *truth);
 
 // One row of the sweep's CSV for this setting: reference is "truth" or "converged".
 void run_error(Run *run, const char *reference, const char *metric, double error);
+// The rows that every picture of radiance gets, each name behind `prefix`: nrmse, rel_rmse, p99_abs, max_abs, mean_ratio (image_compare).
+void run_image_errors(Run *run, const char *reference, const Image *got, const Image *expected,
+                      const char *prefix);
 // One row of the stability CSV: passes where |got − expected| ≤ tolerance and nonfinite is 0.
 void run_check(Run *run, const char *quantity, double expected, double got, double tolerance, long nonfinite);
 

@@ -143,6 +143,25 @@ void run_error(Run *run, const char *reference, const char *metric, double error
     free(repeats);
 }
 
+void run_image_errors(Run *run, const char *reference, const Image *got, const Image *expected,
+                      const char *prefix)
+{
+    const ImageError e = image_compare(got, expected);
+    const struct {
+        const char *name;
+        double value;
+    } rows[] = {{"nrmse", e.nrmse},
+                {"rel_rmse", e.rel_rmse},
+                {"p99_abs", e.p99_abs},
+                {"max_abs", e.max_abs},
+                {"mean_ratio", e.mean_ratio}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *metric = text_format("%s%s", prefix, rows[i].name);
+        run_error(run, reference, metric, rows[i].value);
+        free(metric);
+    }
+}
+
 void run_check(Run *run, const char *quantity, double expected, double got, double tolerance, long nonfinite)
 {
     double error = got == expected ? 0 : fabs(got - expected); // an expected infinity is met by the same

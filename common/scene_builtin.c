@@ -3,8 +3,7 @@
 
 #include <unistd.h>
 
-// Air with something in it: 1/m, nine tenths scattered, one absorbed, mostly forward.
-static Medium haze(float extinction)
+Medium scene_haze(float extinction)
 {
     const float scattering = 0.9f * extinction, absorption = 0.1f * extinction;
     return (Medium){vec3_make(scattering, scattering, scattering),
@@ -30,7 +29,7 @@ static void make_bunny(Scene *scene, uint64_t seed)
                                    .direction = vec3_make(2.5f, -3, -2.5f),
                                    .intensity = vec3_make(75, 72, 66),
                                    .half_angle_rad = 0.35f});
-    scene->medium = haze(0.08f);
+    scene->medium = scene_haze(0.08f);
     scene_aim_camera(scene, vec3_make(0.15f, 0.25f, 1), 0.7f);
 }
 
@@ -62,7 +61,7 @@ static void make_office(Scene *scene, uint64_t seed)
     scene_add_light(scene, (Light){.kind = LIGHT_POINT,
                                    .position = vec3_make(0.4f, 2.6f, 0.6f),
                                    .intensity = vec3_make(16, 15, 13)});
-    scene->medium = haze(0.05f);
+    scene->medium = scene_haze(0.05f);
     scene_aim_camera(scene, vec3_make(0.75f, 0.55f, 1), 0.7f);
 }
 
@@ -92,7 +91,7 @@ static void make_cornell(Scene *scene, uint64_t seed)
     scene_add_light(
         scene,
         (Light){.kind = LIGHT_POINT, .position = vec3_make(0, 4.6f, 0), .intensity = vec3_make(30, 27, 22)});
-    scene->medium = haze(0.04f);
+    scene->medium = scene_haze(0.04f);
     scene->camera =
         (Camera){vec3_make(0, half, 10.2f), vec3_make(0, half, 0), vec3_make(0, 1, 0), 0.72f, 0, 0};
 }
@@ -102,7 +101,7 @@ static void make_empty(Scene *scene, uint64_t seed)
     (void)seed;
     scene_add_light(
         scene, (Light){.kind = LIGHT_POINT, .position = vec3_make(0, 1, 0), .intensity = vec3_make(3, 3, 3)});
-    scene->medium = haze(0.1f);
+    scene->medium = scene_haze(0.1f);
 }
 
 const SceneKind scene_kinds[] = {
@@ -110,6 +109,8 @@ const SceneKind scene_kinds[] = {
     {"cornell", "a room of thin walls, red and green, with two blocks and a point light", make_cornell},
     {"colonnade", "a courtyard with two storeys of arcades in the sun", make_colonnade},
     {"fence", "a chain-link fence before a statue, under a spot", make_fence},
+    {"toroid", "a closed ring of seven saddles with 22 handles, a point light behind it", make_toroid},
+    {"forest", "trees with thin branches and leaves in mist, towards a lamp", make_forest},
     {"office", "a furnished office, 3 460 polygons of bookcases, desk and chairs", make_office},
     {"empty", "no triangle", make_empty},
     {"slivers", "triangles up to a million times longer than high, in all directions", make_slivers},

@@ -10,6 +10,9 @@ void scene_import(Scene *scene, const char *path, float crease_degrees);
 // The box of the triangles, NaN and bad indices left out; false and a cube of 1 m around the origin where there is none.
 bool scene_bounds(const Mesh *mesh, vec3 *lower, vec3 *upper);
 
+// Air with something in it: 1/m, nine tenths scattered, one absorbed, mostly forward.
+Medium scene_haze(float extinction);
+
 // Uniform numbers from a seed: SplitMix64 (Steele, Lea, Flood 2014, figure 9's constants).
 typedef struct Random {
     uint64_t state;
@@ -37,6 +40,8 @@ void frame_revolve(Mesh *mesh, const Frame *frame, const vec2 *profile, int poin
 
 void make_colonnade(Scene *scene, uint64_t seed);
 void make_fence(Scene *scene, uint64_t seed);
+void make_toroid(Scene *scene, uint64_t seed);
+void make_forest(Scene *scene, uint64_t seed);
 void make_slivers(Scene *scene, uint64_t seed);
 void make_huge(Scene *scene, uint64_t seed);
 void make_tiny(Scene *scene, uint64_t seed);

@@ -82,6 +82,7 @@ void make_fence(Scene *scene, uint64_t seed)
                                    .direction = vec3_normalize(vec3_make(3.2f, -2.5f, -4.4f)),
                                    .intensity = vec3_make(120, 114, 100),
                                    .half_angle_rad = 0.5f});
+    scene->medium = (Medium){vec3_make(0.06f, 0.06f, 0.06f), vec3_make(0.01f, 0.01f, 0.01f), 0.5f};
     scene->camera =
         (Camera){vec3_make(2.2f, 1.9f, 4.6f), vec3_make(-0.1f, 1.05f, 0), vec3_make(0, 1, 0), 0.75f, 0, 0};
 }

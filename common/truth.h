@@ -124,6 +124,11 @@ double truth_airlight_point(double nearest, double foot, double radius, double f
 void truth_airlight(const TruthShadows *shadows, const Scene *scene, const TruthPhase *phase,
                     const double origin[3], const double direction[3], double length, double radiance[3]);
 
+// The scene's picture through its medium: that radiance, and with ambient >= 0 the surfaces behind it (their emission and ambient light, W/(sr·m²) times albedo,
+// and the lights' direct light, dimmed on both legs). Kept under out/truth. Top row first, 4 channels.
+Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width, int height,
+                             const TruthPhase *phase, float ambient);
+
 // Cache under out/truth: the path of the file for this key. The key also holds a hash of truth's own source, so that a changed truth
 // is computed anew. `inputs` hashes everything that the picture depends on (hash_bytes).
 char *truth_cache_path(const char *what, uint64_t inputs, const char *ending); // caller frees; folder is made

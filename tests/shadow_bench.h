@@ -67,8 +67,8 @@ static inline void shadow_points(const ShadowBench *bench, double (*points)[3])
     const vec3 up = vec3_cross(right, ahead);
     const double half = tan(0.5 * (double)c->vertical_fov_rad);
     for (int i = 0; i < SIDE * SIDE; i++) {
-        const double x = half * (2 * (i % SIDE + 0.5) / SIDE - 1),
-                     y = half * (2 * (i / SIDE + 0.5) / SIDE - 1);
+        const int column = i % SIDE, row = i / SIDE;
+        const double x = half * (2 * (column + 0.5) / SIDE - 1), y = half * (2 * (row + 0.5) / SIDE - 1);
         const double length = sqrt(1 + x * x + y * y);
         for (int k = 0; k < 3; k++)
             points[i][k] = c->eye[k] + (double)distance[i] / length * (ahead[k] + x * right[k] + y * up[k]);

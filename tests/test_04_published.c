@@ -1,5 +1,5 @@
 // 04 airlight: where the published closed forms hold, and where they do not, while airlight_point does.
-#include "../chapters/04_airlight/airlight.h"
+#include "../chapters/04_airlight/closed_form.h"
 #include "airlight_bench.h"
 
 enum { SUN, PEGORARO };
@@ -7,13 +7,10 @@ static const TruthPhase uniform = {.name = "uniform"};
 
 static float *published(const PointCase *cases, size_t count, int table_size)
 {
-    float *table = sun_table(table_size);
-    GLuint texture = gl_texture(.label = "F", .format = GL_R32F, .width = table_size, .height = table_size);
-    gl.TextureSubImage2D(texture, 0, 0, 0, table_size, table_size, GL_RED, GL_FLOAT, table);
+    GLuint texture = closed_form_table(table_size);
     gl.BindImageTexture(3, texture, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32F);
     float *got = bench_run("published.comp", "PHASE 0", NULL, cases, sizeof *cases, count, 2);
     gl_texture_delete(&texture);
-    free(table);
     return got;
 }
 

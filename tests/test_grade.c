@@ -151,8 +151,8 @@ Test(grade, a_compiler_error_is_shown_at_the_students_line, .timeout = SECONDS)
 {
     GradeCase one;
     grade_case_open(&one, 7);
-    change(&one, "twice.c", "float output[64];", "float output[64]");
-    worth(&one, "01.1", 0, "\n01_voxelization/twice.c:9:5: error");
+    change(&one, "twice.c", "float output[64];", "float output[many]");
+    worth(&one, "01.1", 0, "\n01_voxelization/twice.c:8:18: error");
     grade_case_close(&one);
 }
 

@@ -2,6 +2,8 @@
 #include "failure.h"
 #include "scene_sums.h"
 
+#include <stdlib.h>
+
 static bool needs_a_missing_package(const SceneKind *kind)
 {
     return strcmp(kind->name, "office") == 0 && access("/usr/share/geomview/geom/office.oogl", R_OK) != 0;
@@ -75,6 +77,67 @@ Test(scene_builtin, colonnade_is_as_large_as_it_says)
     scene_close(scene);
 }
 
+// Each edge of a closed surface belongs to two triangles that run along it in opposite ways.
+static int by_edge(const void *a, const void *b)
+{
+    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+// Seven saddles of four sheets: stars of eight arms at the heights where the sheets meet, four strips between each two of them, so the shell's middle
+// has an Euler characteristic of 7 + 7·4 - 2·7·4 = -21, and the closed surface around it twice that: V - F/2 = 2 - 2·22.
+Test(scene_builtin, toroid_is_closed_and_has_22_handles)
+{
+    Scene *scene = scene_open("toroid", 1);
+    const Mesh *mesh = &scene->mesh;
+    enum { SLAB_TRIANGLES = 12, SLAB_VERTICES = 24 };
+    const size_t triangles = mesh->triangle_count - SLAB_TRIANGLES, edges = 3 * triangles;
+    uint64_t *way = memory_new(edges, sizeof *way, "edges"), *back = memory_new(edges, sizeof *back, "edges");
+    for (size_t i = 0; i < edges; i++) {
+        const uint64_t a = mesh->indices[i], b = mesh->indices[i / 3 * 3 + (i + 1) % 3];
+        way[i] = a << 32 | b;
+        back[i] = b << 32 | a;
+    }
+    qsort(way, edges, sizeof *way, by_edge);
+    qsort(back, edges, sizeof *back, by_edge);
+    for (size_t i = 0; i < edges; i++) {
+        cr_assert_eq(way[i], back[i], "edge %zu has no other side", i);
+        cr_assert(i == 0 || way[i] != way[i - 1], "edge %zu is there twice", i);
+    }
+    cr_assert_eq((long)(mesh->vertex_count - SLAB_VERTICES) - (long)triangles / 2, 2 - 2 * 22,
+                 "%zu vertices, %zu triangles", mesh->vertex_count, triangles);
+    // Outwards: the slab is closed too, so the volume is what both hold.
+    cr_assert(sums_of(mesh, 0).volume > 10 * 7 * 0.149, "volume %g m³", sums_of(mesh, 0).volume);
+    free(way);
+    free(back);
+    scene_close(scene);
+}
+
+// Twigs thinner than a texel of a cube's map of 1024 at their distance, and a lamp that the camera looks towards.
+Test(scene_builtin, forest_has_thin_twigs_before_its_lamp)
+{
+    Scene *scene = scene_open("forest", 1);
+    const Mesh *mesh = &scene->mesh;
+    size_t leaves = 0, thin = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const float *a = mesh->positions + 3 * (size_t)mesh->indices[3 * i],
+                    *b = mesh->positions + 3 * (size_t)mesh->indices[3 * i + 1];
+        const bool leaf = mesh->triangle_material[i] >= 2;
+        leaves += leaf;
+        thin += !leaf && hypotf(a[0] - b[0], hypotf(a[1] - b[1], a[2] - b[2])) < 0.01f;
+    }
+    cr_assert(mesh->triangle_count > 100000 && mesh->triangle_count < 400000, "%zu triangles",
+              mesh->triangle_count);
+    cr_assert(leaves > 50000 && thin > 30000, "%zu of leaves, %zu of twigs", leaves, thin);
+    const vec4 lamp = {scene->lights[0].position[0], scene->lights[0].position[1],
+                       scene->lights[0].position[2], 1};
+    const vec4 seen =
+        mat4_transform(camera_projection(scene->camera, 1), mat4_transform(camera_view(scene->camera), lamp));
+    cr_assert(fabsf(seen[0]) < 0.5f * seen[3] && fabsf(seen[1]) < 0.5f * seen[3] && seen[3] > 0,
+              "the lamp is seen at (%g %g)", (double)(seen[0] / seen[3]), (double)(seen[1] / seen[3]));
+    scene_close(scene);
+}
+
 Test(scene_builtin, slivers_reach_an_aspect_of_a_million)
 {
     Scene *scene = scene_open("slivers", 3);
@@ -127,14 +190,13 @@ static uint64_t hash_of(const char *name, uint64_t seed)
 
 Test(scene_builtin, the_seed_decides_and_nothing_else)
 {
-    const char *const random[] = {"colonnade", "slivers", "planar", "degenerate"}, *const fixed[] = {
-                                                                                       "cornell", "huge",
-                                                                                       "tiny"};
-    for (size_t i = 0; i < 4; i++) {
+    const char *const random[] = {"colonnade", "slivers", "planar", "degenerate", "forest"},
+                      *const fixed[] = {"cornell", "huge", "tiny", "toroid"};
+    for (size_t i = 0; i < 5; i++) {
         cr_assert_eq(hash_of(random[i], 5), hash_of(random[i], 5), "%s differs from itself", random[i]);
         cr_assert_neq(hash_of(random[i], 5), hash_of(random[i], 6), "%s heeds no seed", random[i]);
     }
-    for (size_t i = 0; i < 3; i++)
+    for (size_t i = 0; i < 4; i++)
         cr_assert_eq(hash_of(fixed[i], 5), hash_of(fixed[i], 6), "%s has nothing random", fixed[i]);
 }
 

@@ -84,9 +84,9 @@ static void ask_triangle(Extra *extra, const VoxelGrid *grid, const float corner
 double extra_gap(const Mesh *mesh, const VoxelGrid *grid, const uint32_t *got, const uint32_t *truth)
 {
     Extra extra = find_extra(grid, got, truth);
-    double most = 0.0, side = fmax(grid->size[0], fmax(grid->size[1], grid->size[2]));
+    double most = 0.0, margin = 1.0, side = fmax(grid->size[0], fmax(grid->size[1], grid->size[2]));
     // A gap of at most `margin` is the least: whatever is nearer reaches into the same box. Else look farther.
-    for (double margin = 1.0; extra.count > 0; margin *= 8.0) {
+    while (extra.count > 0) {
         for (size_t t = 0; t < mesh->triangle_count; t++) {
             float corners[9];
             triangle_corners(mesh, t, corners);
@@ -97,6 +97,7 @@ double extra_gap(const Mesh *mesh, const VoxelGrid *grid, const uint32_t *got, c
             most = fmax(most, extra.gaps[i]);
         if (most <= margin || margin > side)
             break;
+        margin *= 8.0;
     }
     free(extra.words);
     free(extra.before);

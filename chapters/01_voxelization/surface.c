@@ -38,7 +38,7 @@ void surfaces_close(Surfaces *surfaces)
     Shader *shaders[] = {surfaces->axis,   surfaces->slice_sort, surfaces->slice,   surfaces->slice_all,
                          surfaces->peel,   surfaces->layer,      surfaces->samples, surfaces->expanded,
                          surfaces->binary, surfaces->unpack};
-    for (size_t i = 0; i < sizeof shaders / sizeof *shaders; i++)
+    for (size_t i = 0; i < sizeof shaders / sizeof(Shader *); i++)
         shader_close(shaders[i]);
     gl_framebuffer_delete(&surfaces->framebuffer);
     gl_framebuffer_delete(&surfaces->sampled);

@@ -58,25 +58,6 @@ static Image image_of(GLuint picture, int width, int height)
     return image;
 }
 
-static void light_rows(Run *run, const char *reference, const Image *got, const Image *expected,
-                       const char *prefix)
-{
-    const ImageError e = image_compare(got, expected);
-    const struct {
-        const char *name;
-        double value;
-    } rows[] = {{"nrmse", e.nrmse},
-                {"rel_rmse", e.rel_rmse},
-                {"p99_abs", e.p99_abs},
-                {"max_abs", e.max_abs},
-                {"mean_ratio", e.mean_ratio}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char *metric = text_format("%s%s", prefix, rows[i].name);
-        run_error(run, reference, metric, rows[i].value);
-        free(metric);
-    }
-}
-
 // What the rows of one name and scene have measured so far.
 enum { MOST_SERIES = 64, MOST_POINTS = 16 };
 struct Series {
@@ -122,9 +103,9 @@ void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *trut
         Image own = judge_light(asked, truth, BOUNCE_UNOCCLUDED,
                                 run_chosen(run, "falloff", "clamp") ? (float)run_number(run, "clamp") : 0.0f);
         Image whole = judge_light(asked, truth, BOUNCE_ALONE, 0);
-        light_rows(run, "converged", &got, &converged, "all_texels_");
-        light_rows(run, "truth", &got, &own, "own_model_");
-        light_rows(run, "truth", &got, &whole, "");
+        run_image_errors(run, "converged", &got, &converged, "all_texels_");
+        run_image_errors(run, "truth", &got, &own, "own_model_");
+        run_image_errors(run, "truth", &got, &whole, "");
         image_free(&converged);
         image_free(&own);
         image_free(&whole);
@@ -142,7 +123,7 @@ void judge_sweep(Run *run, Series *series, const Asked *asked, const Truth *trut
         if (order != 0.0)
             run_error(run, "truth", "order", order);
         Image direct = judge_light(asked, truth, DIRECT_LIGHT, 0);
-        light_rows(run, "truth", &got, &direct, "");
+        run_image_errors(run, "truth", &got, &direct, "");
         image_free(&direct);
     }
     image_free(&got);
@@ -181,11 +162,11 @@ static const double MEAN_SHARE = 0.02;
 
 static double mean_red(const Image *image)
 {
-    const int pixels = image->width * image->height;
+    const size_t pixels = (size_t)image->width * (size_t)image->height, channels = (size_t)image->channels;
     double sum = 0;
-    for (int i = 0; i < pixels; i++)
-        sum += (double)image->pixels[image->channels * i];
-    return sum / pixels;
+    for (size_t i = 0; i < pixels; i++)
+        sum += (double)image->pixels[channels * i];
+    return sum / (double)pixels;
 }
 
 static void check_bounce(Run *run, const Asked *asked, const Truth *truth, const Image *image,

@@ -44,8 +44,8 @@ static void copy_free(Copy *copy)
 static Image draw(Run *run, const Raster *raster, const Copy *copy, const AirlightSettings *settings,
                   int size)
 {
-    return render_airlight(raster, &copy->scene, &copy->camera, size, size, run_integer(run, "map"),
-                           settings);
+    return airlight_picture(raster, &copy->scene, &copy->camera, size, size, run_integer(run, "map"),
+                            settings);
 }
 
 // The largest |a/b - 1| where b is above `least` of its mean; NaN counts as infinite.
@@ -148,22 +148,23 @@ static void check_scaled(Run *run, const Raster *raster, const Camera *camera,
 }
 
 // Surfaces seen through a medium that only takes light away, against those in clear air.
-static void check_absorption(Run *run, const Raster *raster, const Haze *haze, const Camera *camera,
+static void check_absorption(Run *run, const Raster *raster, const AirlightHaze *haze, const Camera *camera,
                              const Image *got)
 {
     const Scene *scene = run_scene(run);
     const int width = got->width, height = got->height;
     const Light *light = &scene->lights[0];
-    Renderer renderer = renderer_open(raster, scene, width, height, run_integer(run, "map"));
-    Target clear = target_open("clear", width, height), dim = target_open("dim", width, height);
-    renderer_draw_maps(&renderer);
-    raster_gbuffer_draw(raster, &renderer.gbuffer, camera, &renderer.mesh);
-    raster_light_add(raster, &renderer.gbuffer, camera, light, &renderer.maps[0], clear.texture);
-    haze_attenuate(haze, &renderer.gbuffer, camera, scene, light, clear.texture, dim.texture);
-    Image before = target_read(&clear, width, height), after = target_read(&dim, width, height);
+    RasterView view = raster_view_open(raster, scene, width, height, run_integer(run, "map"));
+    RasterTarget clear = raster_target_open("clear", width, height),
+                 dim = raster_target_open("dim", width, height);
+    raster_view_draw_maps(&view);
+    raster_gbuffer_draw(raster, &view.gbuffer, camera, &view.mesh);
+    raster_light_add(raster, &view.gbuffer, camera, light, &view.maps[0], clear.texture);
+    airlight_haze_attenuate(haze, &view.gbuffer, camera, scene, light, clear.texture, dim.texture);
+    Image before = raster_target_read(&clear, width, height), after = raster_target_read(&dim, width, height);
     const size_t pixels = (size_t)width * (size_t)height;
     float *seen = memory_new(pixels, sizeof *seen, "distances");
-    gl_texture_read(renderer.gbuffer.distance, 0, GL_RED, GL_FLOAT, sizeof *seen * pixels, seen);
+    gl_texture_read(view.gbuffer.distance, 0, GL_RED, GL_FLOAT, sizeof *seen * pixels, seen);
     const double sigma = (double)scene->medium.absorption[0];
     const mat4 turn = camera_view(*camera);
     const double half = tan(0.5 * (double)camera->vertical_fov_rad);
@@ -189,33 +190,34 @@ static void check_absorption(Run *run, const Raster *raster, const Haze *haze, c
     free(seen);
     image_free(&before);
     image_free(&after);
-    target_close(&clear);
-    target_close(&dim);
-    renderer_close(&renderer);
+    raster_target_close(&clear);
+    raster_target_close(&dim);
+    raster_view_close(&view);
 }
 
 // σ = 0: what is attenuated is the very picture of the surfaces, and nothing is added.
-static void check_clear(Run *run, const Raster *raster, const Haze *haze, const Camera *camera,
+static void check_clear(Run *run, const Raster *raster, const AirlightHaze *haze, const Camera *camera,
                         const Image *got)
 {
     const Scene *scene = run_scene(run);
-    Renderer renderer = renderer_open(raster, scene, got->width, got->height, run_integer(run, "map"));
-    Target clear = target_open("clear", got->width, got->height),
-           dim = target_open("dim", got->width, got->height);
-    renderer_draw_maps(&renderer);
-    raster_gbuffer_draw(raster, &renderer.gbuffer, camera, &renderer.mesh);
-    raster_light_add(raster, &renderer.gbuffer, camera, &scene->lights[0], &renderer.maps[0], clear.texture);
-    haze_attenuate(haze, &renderer.gbuffer, camera, scene, &scene->lights[0], clear.texture, dim.texture);
-    Image before = target_read(&clear, got->width, got->height),
-          after = target_read(&dim, got->width, got->height);
+    RasterView view = raster_view_open(raster, scene, got->width, got->height, run_integer(run, "map"));
+    RasterTarget clear = raster_target_open("clear", got->width, got->height),
+                 dim = raster_target_open("dim", got->width, got->height);
+    raster_view_draw_maps(&view);
+    raster_gbuffer_draw(raster, &view.gbuffer, camera, &view.mesh);
+    raster_light_add(raster, &view.gbuffer, camera, &scene->lights[0], &view.maps[0], clear.texture);
+    airlight_haze_attenuate(haze, &view.gbuffer, camera, scene, &scene->lights[0], clear.texture,
+                            dim.texture);
+    Image before = raster_target_read(&clear, got->width, got->height),
+          after = raster_target_read(&dim, got->width, got->height);
     run_check(run, "largest relative change of surfaces", 0.0, largest_ratio(&after, &before, 1e-3), 0.0,
               image_count_nonfinite(&after));
     run_check(run, "airlight", 0.0, sum_of(got), 0.0, image_count_nonfinite(got));
     image_free(&before);
     image_free(&after);
-    target_close(&clear);
-    target_close(&dim);
-    renderer_close(&renderer);
+    raster_target_close(&clear);
+    raster_target_close(&dim);
+    raster_view_close(&view);
 }
 
 // Where nothing casts a shadow, every pixel is the truth's, to the closed form's own 1e-4, 3e-4 with a peaked phase function, and the rounding of
@@ -237,7 +239,7 @@ static void check_truth(Run *run, const Camera *camera, const AirlightSettings *
     image_free(&truth);
 }
 
-void airlight_case(Run *run, const Raster *raster, const Haze *haze, const Camera *camera,
+void airlight_case(Run *run, const Raster *raster, const AirlightHaze *haze, const Camera *camera,
                    const AirlightSettings *settings, const Image *got)
 {
     const char *name = run_case(run);

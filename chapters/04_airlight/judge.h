@@ -2,7 +2,7 @@
 #ifndef JUDGE_H
 #define JUDGE_H
 
-#include "render.h"
+#include "airlight.h"
 #include "run.h"
 
 // The truth's picture: in-scattered radiance, and with ambient >= 0 the surfaces behind it; kept under out/truth.
@@ -15,7 +15,7 @@ void airlight_errors(Run *run, const Raster *raster, const Camera *camera, const
                      const Image *got);
 
 // The checks of a stability case.
-void airlight_case(Run *run, const Raster *raster, const Haze *haze, const Camera *camera,
+void airlight_case(Run *run, const Raster *raster, const AirlightHaze *haze, const Camera *camera,
                    const AirlightSettings *settings, const Image *got);
 
 #endif

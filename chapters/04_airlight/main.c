@@ -6,21 +6,21 @@
 // Sources: Nishita et al. 1987 by way of Wyman 2011 (eq. 4, 5), Billeter et al. 2010 (eq. 1 to 3, section 5) and Chen et al. 2011 (eq. 1, 2); Kulla and Fajardo
 // 2012 (equiangular); Dobashi et al. 2002 (factored); Sun et al. 2005; Pegoraro and Parker 2009.
 #include "airlight.h"
+#include "closed_form.h"
 #include "judge.h"
-#include "render.h"
 #include "scenes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const scenes[] = {"colonnade", "bunny", "cornell", NULL};
+static const char *const scenes[] = {"colonnade", "bunny", "cornell", "fence", NULL};
 
 // clang-format off
 static const RunParameter parameters[] = {
     {.name = "method", .kind = RUN_CHOICE, .choices = "equiangular march jittered factored sun pegoraro gauss segments", .shows = "how the integral along a ray is found"},
     {.name = "variant", .kind = RUN_CHOICE, .choices = "intervals signed", .shows = "segments: each lit interval on its own, or signed integrals from the eye"},
     {.name = "steps", .kind = RUN_INTEGER, .least = 1, .most = 16384, .initial = {64}, .unit = "samples", .shows = "samples a ray"},
-    {.name = "nodes", .kind = RUN_CHOICE, .choices = "16 24 8", .shows = "gauss, segments: nodes a lit stretch"},
+    {.name = "nodes", .kind = RUN_CHOICE, .choices = "auto 8 16 24", .shows = "gauss, segments: nodes a lit stretch; auto: 16, of a peaked phase function 24"},
     {.name = "table", .kind = RUN_INTEGER, .least = 2, .most = 1024, .initial = {64}, .unit = "texels", .shows = "sun: a side of the table of F"},
     {.name = "phase", .kind = RUN_CHOICE, .choices = "uniform rayleigh henyey_greenstein hoffman_preetham hoffman_preetham_normalized", .shows = "how scattered light is shared out; mean_cosine is g"},
     {.name = "rayleigh_share", .kind = RUN_NUMBER, .least = 0, .most = 1, .initial = {0.3}, .shows = "Hoffman and Preetham: Rayleigh's share of the scattering"},
@@ -42,6 +42,12 @@ static const RunStep steps[] = {
 #define STEPS(method, n)                                                                                     \
     {                                                                                                        \
         method, NULL, "method=" method " steps=" #n, NULL                                                    \
+    }
+// A file with its own camera, spot, candle and moon; but glTF knows no mist.
+#define LAMPS(method, settings)                                                                              \
+    {                                                                                                        \
+        method, "chapters/02_shadow_maps/lamps.gltf",                                                        \
+            "method=" settings " scattering=0.06,0.06,0.07 absorption=0.01,0.01,0.01", NULL                  \
     }
 static const RunRow sweep[] = {
     STEPS("march", 16),
@@ -68,6 +74,16 @@ static const RunRow sweep[] = {
     {"segments", NULL, "method=segments nodes=16", NULL},
     {"segments", NULL, "method=segments nodes=24", NULL},
     {"signed", NULL, "method=segments variant=signed", NULL},
+    LAMPS("march", "march steps=16"),
+    LAMPS("march", "march steps=64"),
+    LAMPS("march", "march steps=256"),
+    LAMPS("march", "march steps=1024"),
+    LAMPS("equiangular", "equiangular steps=16"),
+    LAMPS("equiangular", "equiangular steps=64"),
+    LAMPS("equiangular", "equiangular steps=256"),
+    LAMPS("equiangular", "equiangular steps=1024"),
+    LAMPS("gauss", "gauss"),
+    LAMPS("segments", "segments"),
     {NULL, NULL, NULL, NULL},
 };
 
@@ -131,20 +147,21 @@ enum { SURFACES, ATTENUATED, UNSHADOWED, SHADOWED, PICTURES }; // in the order o
 // One light after the other into `glow`, through the depth maps where `shadows` are wanted and can be; the method's shaders without and with lookups are
 // compiled when they are first used.
 static void draw_airlight(Run *run, const AirlightSettings *settings, Airlight by_shadow[2],
-                          const Renderer *renderer, const Camera *camera, bool shadows, const Target *glow)
+                          const RasterView *view, const Camera *camera, bool shadows,
+                          const RasterTarget *glow)
 {
-    const Scene *scene = renderer->scene;
+    const Scene *scene = view->scene;
     double missed = 0, lookups = 0;
-    target_clear(glow);
+    raster_target_clear(glow);
     for (size_t i = 0; i < scene->light_count; i++) {
-        const bool cast = shadows && airlight_can_shadow(scene, &scene->lights[i], camera, run_aspect(run));
+        const bool cast = shadows && raster_can_shadow(scene, &scene->lights[i], camera, run_aspect(run));
         if (!by_shadow[cast].counters) {
             AirlightSettings with = *settings;
             with.shadowed = cast;
-            by_shadow[cast] = airlight_open(&with, renderer->maps, scene->light_count);
+            by_shadow[cast] = airlight_open(&with, view->maps, scene->light_count);
         }
-        airlight_add(&by_shadow[cast], &renderer->gbuffer, camera, scene, &scene->lights[i],
-                     &renderer->maps[i], glow->texture);
+        airlight_add(&by_shadow[cast], &view->gbuffer, camera, scene, &scene->lights[i], &view->maps[i],
+                     glow->texture);
         if (settings->count) {
             uint32_t counts[2];
             airlight_counts(&by_shadow[cast], &counts[0], &counts[1]);
@@ -162,7 +179,7 @@ int main(int argc, char **argv)
 {
     Run *run = run_open(&about, argc, argv);
     Raster *raster = raster_open();
-    Haze haze = haze_open();
+    AirlightHaze haze = airlight_haze_open();
     while (run_setting(run)) {
         check_phase(run);
         const Scene *scene = run_scene(run);
@@ -181,20 +198,21 @@ int main(int argc, char **argv)
                                      .variant = run_choice(run, "variant"),
                                      .phase = run_choice(run, "phase"),
                                      .steps = run_integer(run, "steps"),
-                                     .nodes = atoi(run_choice(run, "nodes")),
-                                     .table = run_integer(run, "table"),
+                                     .nodes = atoi(run_choice(run, "nodes")), // auto: 0
                                      .rayleigh_share = (float)run_number(run, "rayleigh_share"),
                                      .seed = (uint32_t)run_seed(run),
                                      .grey = extinction[0] == extinction[1] && extinction[1] == extinction[2],
                                      .shadowed = true, // where a comparison is drawn
                                      .count = !run_measuring_error(run)};
-        const bool knows_shadow = airlight_uses_map(&settings);
-        Renderer renderer = renderer_open(raster, scene, width, height, run_integer(run, "map"));
+        GLuint table = run_chosen(run, "method", "sun") ? closed_form_table(run_integer(run, "table")) : 0;
+        settings = closed_form_settings(settings, table);
+        const bool knows_shadow = !closed_form_is(settings.method);
+        RasterView view = raster_view_open(raster, scene, width, height, run_integer(run, "map"));
         Airlight airlight[2] = {0}; // without and with shadow
-        Target picture[PICTURES], one_light = target_open("one light", width, height);
-        Target glow = target_open("airlight", width, height);
+        RasterTarget picture[PICTURES], one_light = raster_target_open("one light", width, height);
+        RasterTarget glow = raster_target_open("airlight", width, height);
         for (int i = 0; i < PICTURES; i++)
-            picture[i] = target_open(steps[i].name, width, height);
+            picture[i] = raster_target_open(steps[i].name, width, height);
         uint64_t last_eye = 0, last_lights = 0;
 
         while (run_frame(run)) {
@@ -216,7 +234,7 @@ int main(int argc, char **argv)
             const bool clear = show_surfaces || (behind && !extinguishes); // surfaces as clear air shows them
             bool cast = false;
             for (size_t i = 0; i < scene->light_count; i++)
-                cast = cast || airlight_can_shadow(scene, &scene->lights[i], &camera, run_aspect(run));
+                cast = cast || raster_can_shadow(scene, &scene->lights[i], &camera, run_aspect(run));
             const bool shadows = show_airlight && scatters && knows_shadow && cast;
 
             //[maps
@@ -225,14 +243,14 @@ int main(int argc, char **argv)
                                 : !new_lights                                ? SAME_VIEW
                                 : show_airlight && scatters && !knows_shadow ? NO_SHADOW
                                                                              : NO_CASTER))
-                renderer_draw_maps(&renderer);
+                raster_view_draw_maps(&view);
             if (run_pass_common(run, "G-buffer", new_eye, SAME_VIEW))
-                raster_gbuffer_draw(raster, &renderer.gbuffer, &camera, &renderer.mesh);
+                raster_gbuffer_draw(raster, &view.gbuffer, &camera, &view.mesh);
             //]
             if (run_pass_common(run, "surfaces", changed && clear, clear ? SAME_VIEW : NOT_SHOWN)) {
-                raster_light_begin(raster, &renderer.gbuffer, picture[SURFACES].texture, ambient);
+                raster_light_begin(raster, &view.gbuffer, picture[SURFACES].texture, ambient);
                 for (size_t i = 0; i < scene->light_count; i++)
-                    raster_light_add(raster, &renderer.gbuffer, &camera, &scene->lights[i], &renderer.maps[i],
+                    raster_light_add(raster, &view.gbuffer, &camera, &scene->lights[i], &view.maps[i],
                                      picture[SURFACES].texture);
             }
             run_step(run, "surfaces", picture[SURFACES].texture);
@@ -244,16 +262,16 @@ int main(int argc, char **argv)
                                     : !behind     ? NOT_SHOWN
                                                   : SAME_VIEW;
             if (run_pass_common(run, "attenuation", dim, why_clear)) {
-                target_clear(&picture[ATTENUATED]);
-                raster_light_begin(raster, &renderer.gbuffer, one_light.texture, ambient);
-                haze_attenuate(&haze, &renderer.gbuffer, &camera, scene, NULL, one_light.texture,
-                               picture[ATTENUATED].texture);
+                raster_target_clear(&picture[ATTENUATED]);
+                raster_light_begin(raster, &view.gbuffer, one_light.texture, ambient);
+                airlight_haze_attenuate(&haze, &view.gbuffer, &camera, scene, NULL, one_light.texture,
+                                        picture[ATTENUATED].texture);
                 for (size_t i = 0; i < scene->light_count; i++) {
-                    target_clear(&one_light);
-                    raster_light_add(raster, &renderer.gbuffer, &camera, &scene->lights[i], &renderer.maps[i],
+                    raster_target_clear(&one_light);
+                    raster_light_add(raster, &view.gbuffer, &camera, &scene->lights[i], &view.maps[i],
                                      one_light.texture);
-                    haze_attenuate(&haze, &renderer.gbuffer, &camera, scene, &scene->lights[i],
-                                   one_light.texture, picture[ATTENUATED].texture);
+                    airlight_haze_attenuate(&haze, &view.gbuffer, &camera, scene, &scene->lights[i],
+                                            one_light.texture, picture[ATTENUATED].texture);
                 }
             }
             const GLuint surfaces = picture[extinguishes ? ATTENUATED : SURFACES].texture;
@@ -267,20 +285,20 @@ int main(int argc, char **argv)
                                               : NOT_SHOWN;
             if (run_pass(run, "airlight without shadow", changed && lit && scatters && show_unshadowed,
                          why_not))
-                draw_airlight(run, &settings, airlight, &renderer, &camera, false, &glow);
+                draw_airlight(run, &settings, airlight, &view, &camera, false, &glow);
             if (run_pass_common(run, "sum without shadow", changed && scatters && show_unshadowed, why_not))
-                haze_add(&haze, &renderer.gbuffer, alone ? 0.0f : 1.0f, surfaces, glow.texture,
-                         picture[UNSHADOWED].texture);
+                airlight_sum(&haze, &view.gbuffer, alone ? 0.0f : 1.0f, surfaces, glow.texture,
+                             picture[UNSHADOWED].texture);
             run_step(run, "unshadowed",
                      scatters ? picture[UNSHADOWED].texture
                      : alone  ? glow.texture
                               : surfaces);
 
             if (run_pass(run, "airlight", changed && lit && scatters && show_airlight, why_not))
-                draw_airlight(run, &settings, airlight, &renderer, &camera, knows_shadow, &glow);
+                draw_airlight(run, &settings, airlight, &view, &camera, knows_shadow, &glow);
             if (run_pass_common(run, "sum", changed && scatters && pictures && show_airlight, why_not))
-                haze_add(&haze, &renderer.gbuffer, alone ? 0.0f : 1.0f, surfaces, glow.texture,
-                         picture[SHADOWED].texture);
+                airlight_sum(&haze, &view.gbuffer, alone ? 0.0f : 1.0f, surfaces, glow.texture,
+                             picture[SHADOWED].texture);
             run_step(run, "airlight", scatters ? picture[SHADOWED].texture : alone ? glow.texture : surfaces);
             //]
 
@@ -292,22 +310,23 @@ int main(int argc, char **argv)
             }
         }
         Camera camera = run_camera(run);
-        Image got = target_read(&glow, width, height);
+        Image got = raster_target_read(&glow, width, height);
         if (run_measuring_error(run))
             airlight_errors(run, raster, &camera, &settings, &got);
         else if (run_checking(run))
             airlight_case(run, raster, &haze, &camera, &settings, &got);
         image_free(&got);
 
-        target_close(&glow);
-        target_close(&one_light);
+        raster_target_close(&glow);
+        raster_target_close(&one_light);
         for (int i = 0; i < PICTURES; i++)
-            target_close(&picture[i]);
+            raster_target_close(&picture[i]);
         for (int i = 0; i < 2; i++)
             airlight_close(&airlight[i]);
-        renderer_close(&renderer);
+        raster_view_close(&view);
+        gl_texture_delete(&table);
     }
-    haze_close(&haze);
+    airlight_haze_close(&haze);
     raster_close(raster);
     return run_close(run);
 }

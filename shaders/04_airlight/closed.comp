@@ -1,5 +1,5 @@
 // The closed forms, which know no shadow: from the ray's start to its end in one evaluation.
-#include "04_airlight/ray.glsl"
+#include "common/airlight_ray.glsl"
 #include "04_airlight/sun.glsl"
 #include "04_airlight/pegoraro.glsl"
 

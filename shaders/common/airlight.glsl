@@ -10,11 +10,18 @@
 #include "common/phase.glsl"
 
 #define AIRLIGHT_PEAKED (PHASE >= PHASE_HENYEY_GREENSTEIN)
-#ifndef AIRLIGHT_NODES
+#if !defined(AIRLIGHT_NODES) || AIRLIGHT_NODES == 0 // as many as 1e-4 takes: a peak a thousandth wide, backward, is off by 4e-3 with 16
+#undef AIRLIGHT_NODES
+#if AIRLIGHT_PEAKED
+#define AIRLIGHT_NODES 24
+#else
 #define AIRLIGHT_NODES 16
 #endif
+#endif
 
-const float AIRLIGHT_CUT = 14.0;   // exponents: what lies further on along a lit stretch is less than e^-14 = 8e-7 of it
+// Exponents: what lies further on along a lit stretch is less than e^-14 = 8e-7 of it. A phase function with a backward peak grows on the way, at most as the third
+// power of the distance behind the light (inside r0 nothing falls against that): ∫ x³ e^-x beyond 14 would be 5e-4 of the whole, beyond 20 it is 3e-6.
+const float AIRLIGHT_CUT = AIRLIGHT_PEAKED ? 20.0 : 14.0;
 const float AIRLIGHT_FAR = 1e30;   // metres: stands for infinity; its square is never taken
 const float AIRLIGHT_LEAST = 1e-30;
 const float HALF_PI = 1.57079633;
@@ -77,6 +84,15 @@ float airlight_asinh_step(float a, float b, float step)
     return sum > 0.0 ? airlight_asinh(step * ((a + b) / sum)) : 0.0;
 }
 
+// x e^(-depth), by two halves: e^(-depth) itself may be no normal float where the product is. `precise`: compiled as a square it would be the same again.
+float airlight_dimmed(float x, float depth)
+{
+    float half_way = exp(-0.5 * depth);
+    precise float once = x * half_way;
+    precise float twice = once * half_way;
+    return twice;
+}
+
 //[free
 // Outside the light's radius. With s = r + (t - foot), the way eye-point-light is foot + s, and dt / r² = 2 ds / (nearest² + s²): so the integral is
 //     e^(-σ (t0 + r0)) · 2 ∫ ρ e^(-σ (s - s0)) / (nearest² + s²) ds,   and tan(θ/2) = s / nearest.
@@ -132,8 +148,7 @@ float airlight_free(float nearest, float before, float behind, float difference,
 #endif
         sum += weight * exp(-sigma * farther) * phase(half_angle);
     }
-    float half_way = exp(-0.5 * sigma * path); // twice: the whole may be no normal float where the product is
-    return 2.0 * width * sum * half_way * half_way;
+    return airlight_dimmed(2.0 * width * sum, sigma * path);
 }
 //]
 
@@ -162,8 +177,7 @@ float airlight_held(float nearest, float radius, float before, float behind, flo
         vec2 half_angle = (ahead ? vec2(shrinking, growing) : vec2(growing, shrinking)) / both;
         sum += weight * both * exp(-sigma * max(s - s0, 0.0)) * phase(half_angle);
     }
-    float half_way = exp(-0.5 * sigma * path);
-    return 0.5 * step * sum * (nearest / radius / radius) * half_way * half_way;
+    return airlight_dimmed(0.5 * step * sum * (nearest / radius / radius), sigma * path);
 }
 //]
 

@@ -1,5 +1,5 @@
 // The methods that sample the ray: uniform midpoints, jittered, equiangular, and factored. `steps` samples each.
-#include "04_airlight/ray.glsl"
+#include "common/airlight_ray.glsl"
 
 #define MARCH 0
 #define JITTERED 1

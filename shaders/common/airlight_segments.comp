@@ -1,6 +1,6 @@
 // Lit intervals of a ray, found by walking through the depth map, each integrated on its own: what the map says, without sampling error.
 // VARIANT 1: as Billeter et al. (2010, eq. 3) sum them, signed integrals from the eye to each border in any order.
-#include "04_airlight/ray.glsl"
+#include "common/airlight_ray.glsl"
 
 #define INTERVALS 0
 #define SIGNED 1

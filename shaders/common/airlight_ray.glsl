@@ -1,4 +1,4 @@
-// ray: what all methods of chapter 04 share: a pixel's ray against one light, where on it light can be, and its picture.
+// ray: what the methods that integrate along each ray share: a pixel's ray against one light, where on it light can be, and its picture. Taught in chapter 04.
 #ifndef RAY_GLSL
 #define RAY_GLSL
 #include "common/camera.glsl"

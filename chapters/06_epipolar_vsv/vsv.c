@@ -1,0 +1,114 @@
+// vsv: see vsv.h.
+#include "vsv.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+char *vsv_definitions(const VsvSettings *settings)
+{
+    return text_format("WARP %d\nTHETA_TABLE %d", strcmp(settings->warp, "square") == 0,
+                       strcmp(settings->slices, "pixel") == 0);
+}
+
+Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
+{
+    Vsv vsv = {.settings = *settings, .levels = 1, .kind = map->kind};
+    vsv.words = settings->phi / 32;
+    vsv.columns = settings->theta * vsv.words;
+    vsv.bytes = (size_t)settings->alpha * (size_t)vsv.columns * sizeof(uint32_t);
+    vsv.voxels = gl_buffer(.label = "voxels", .bytes = vsv.bytes);
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &vsv.texels);
+    gl.ObjectLabel(GL_TEXTURE, vsv.texels, -1, "voxels, 128 a texel");
+    gl.TextureBuffer(vsv.texels, GL_RGBA32UI, vsv.voxels);
+    vsv.first = gl_buffer(.label = "first voxel", .bytes = (size_t)vsv.columns * sizeof(uint32_t));
+    vsv.slices = gl_buffer(.label = "slices", .bytes = 2 * (size_t)settings->theta * sizeof(uint32_t));
+    vsv.borders =
+        gl_buffer(.label = "borders of slices", .bytes = ((size_t)settings->theta + 1) * sizeof(float));
+    char *spread = vsv_definitions(settings);
+    char *definitions = text_format("%s\nMAP_KIND %d", spread, (int)map->kind);
+    vsv.resample = shader_open("resample", definitions, "06_epipolar_vsv/resample.comp");
+    vsv.scan[0] = shader_open("scan", NULL, "06_epipolar_vsv/scan_columns.comp");
+    free(spread);
+    free(definitions);
+    return vsv;
+}
+
+void vsv_close(Vsv *vsv)
+{
+    gl_texture_delete(&vsv->texels);
+    gl_buffer_delete(&vsv->voxels);
+    gl_buffer_delete(&vsv->first);
+    gl_buffer_delete(&vsv->slices);
+    gl_buffer_delete(&vsv->borders);
+    shader_close(vsv->resample);
+    for (int i = 0; i < 3; i++)
+        shader_close(vsv->scan[i]);
+}
+
+void vsv_aim(Vsv *vsv, const EpipolarFrame *frame, const EpipolarRange *range, const Camera *camera,
+             int width, int height)
+{
+    vsv->frame = *frame;
+    vsv->range = *range;
+    if (strcmp(vsv->settings.slices, "pixel") != 0)
+        return;
+    int needed;
+    float *borders = epipolar_theta_borders(frame, range, camera, width, height, &needed);
+    gl.NamedBufferSubData(vsv->borders, 0, ((GLsizeiptr)range->theta + 1) * (GLsizeiptr)sizeof(float),
+                          borders);
+    free(borders);
+}
+
+static void fill(GLuint buffer, uint32_t value)
+{
+    gl.ClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value);
+}
+
+void vsv_clear(const Vsv *vsv)
+{
+    fill(vsv->voxels, 0);
+    fill(vsv->first, (uint32_t)vsv->settings.alpha);
+}
+
+void vsv_bind(const Vsv *vsv, const Shader *shader)
+{
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, vsv->voxels);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, vsv->first);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, vsv->borders);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vsv->slices);
+    gl.BindImageTexture(4, vsv->texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32UI);
+    epipolar_set(shader, &vsv->frame, &vsv->range);
+}
+
+void vsv_voxelize_map(const Vsv *vsv, const Light *light, const DepthMap *map)
+{
+    const vec3 eye_from_origin = vsv->frame.eye - map->origin;
+    vsv_bind(vsv, vsv->resample);
+    gl.BindImageTexture(2, map->distance, 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32F);
+    shader_use(vsv->resample);
+    shader_set_mat4(vsv->resample, "to_clip", (const float *)&map->to_clip);
+    shader_set_vec3(vsv->resample, "eye_from_origin", (const float *)&eye_from_origin);
+    shader_set_vec3(vsv->resample, "light_direction", (const float *)&light->direction);
+    gl.DispatchCompute((GLuint)(vsv->settings.phi + 63) / 64, (GLuint)vsv->settings.theta, 1);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void vsv_scan(const Vsv *vsv)
+{
+    // of each slice nothing is known yet: (no α has any shadow, all have nothing else) is what min and max begin from
+    const uint32_t unknown[2] = {(uint32_t)vsv->settings.alpha, 0};
+    gl.ClearNamedBufferData(vsv->slices, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, unknown);
+    vsv_bind(vsv, vsv->scan[0]);
+    shader_use(vsv->scan[0]);
+    gl.DispatchCompute((GLuint)(vsv->columns + 63) / 64, 1, 1);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void vsv_show(const Vsv *vsv, const Shader *flat, GLuint picture, int width, int height)
+{
+    vsv_bind(vsv, flat);
+    gl.BindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    shader_use(flat);
+    gl.DispatchCompute((GLuint)(width + 7) / 8, (GLuint)(height + 7) / 8, 1);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+}

@@ -1,0 +1,138 @@
+// truth: the picture of a scene in a homogeneous medium: single scattering by quadrature over exactly lit stretches, surfaces by Embree.
+#include "truth.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+// The camera's axes in double, x and y half as long as the picture is wide and high at 1 m.
+typedef struct View {
+    double eye[3], x[3], y[3], forward[3];
+} View;
+
+static View view_of(const Camera *camera, int width, int height)
+{
+    const mat4 turn = camera_view(*camera); // its rows are the axes
+    const double half = tan(0.5 * (double)camera->vertical_fov_rad);
+    View view;
+    for (int k = 0; k < 3; k++) {
+        view.eye[k] = (double)camera->eye[k];
+        view.x[k] = half * width / height * (double)turn.column[k][0];
+        view.y[k] = half * (double)turn.column[k][1];
+        view.forward[k] = -(double)turn.column[k][2];
+    }
+    return view;
+}
+
+static void view_ray(const View *view, double u, double v, double direction[3]) // u, v in [-1, 1], v up
+{
+    double length = 0.0;
+    for (int k = 0; k < 3; k++) {
+        direction[k] = view->forward[k] + u * view->x[k] + v * view->y[k];
+        length = hypot(length, direction[k]);
+    }
+    for (int k = 0; k < 3; k++)
+        direction[k] /= length;
+}
+
+// Barycentric, from the areas opposite each corner; on the side that the ray comes from.
+static vec3 smooth_normal(const Mesh *mesh, TruthHit hit, vec3 point, vec3 along)
+{
+    vec3 corner[3], normal = {0};
+    for (size_t i = 0; i < 3; i++) {
+        const float *p = mesh->positions + 3 * (size_t)mesh->indices[3 * (size_t)hit.triangle + i];
+        corner[i] = vec3_make(p[0], p[1], p[2]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        const float *n = mesh->normals + 3 * (size_t)mesh->indices[3 * (size_t)hit.triangle + i];
+        const vec3 area = vec3_cross(corner[(i + 1) % 3] - point, corner[(i + 2) % 3] - point);
+        normal += vec3_dot(area, hit.normal) * vec3_make(n[0], n[1], n[2]);
+    }
+    normal = vec3_normalize(normal);
+    return vec3_dot(hit.normal, along) > 0.0f ? -normal : normal;
+}
+
+// Lambertian surfaces lit past Embree's occluders, dimmed from the light (none for a directional one) and to the eye.
+static void surface_truth(const Truth *truth, const Scene *scene, const View *view, const double direction[3],
+                          TruthHit hit, float ambient, double radiance[3])
+{
+    const double distance = (double)hit.distance;
+    vec3 point = {0}, along = {0};
+    for (int k = 0; k < 3; k++) {
+        point[k] = (float)(view->eye[k] + distance * direction[k]);
+        along[k] = (float)direction[k];
+    }
+    const Material *material = &scene->materials[scene->mesh.triangle_material[hit.triangle]];
+    const vec3 normal = smooth_normal(&scene->mesh, hit, point, along);
+    const float diagonal = vec3_length(scene->upper - scene->lower);
+    for (int k = 0; k < 3; k++) {
+        const double sigma = (double)scene->medium.scattering[k] + (double)scene->medium.absorption[k];
+        radiance[k] += ((double)material->emission[k] + (double)ambient * (double)material->albedo[k]) *
+                       exp(-sigma * distance);
+    }
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const Light *light = &scene->lights[i];
+        const bool sun = light->kind == LIGHT_DIRECTIONAL;
+        const vec3 from = sun ? point - 2.0f * diagonal * light->direction : light->position,
+                   way = from - point;
+        const double far = (double)vec3_length(way), held = fmax(far, (double)light->radius);
+        const double cosine = (double)vec3_dot(way, normal) / far;
+        const bool outside = light->kind == LIGHT_SPOT &&
+                             atan2((double)vec3_length(vec3_cross(light->direction, -way)),
+                                   (double)vec3_dot(light->direction, -way)) > (double)light->half_angle_rad;
+        if (cosine <= 0.0 || outside || truth_occluded(truth, point, from))
+            continue;
+        for (int k = 0; k < 3; k++) {
+            const double sigma = (double)scene->medium.scattering[k] + (double)scene->medium.absorption[k];
+            radiance[k] += (double)material->albedo[k] / M_PI * cosine * (double)light->intensity[k] /
+                           (sun ? 1.0 : held * held) * exp(-sigma * (distance + (sun ? 0.0 : far)));
+        }
+    }
+}
+
+static char *cache_path(const Scene *scene, const Camera *camera, int width, int height,
+                        const TruthPhase *phase, float ambient)
+{
+    const float view[] = {
+        camera->eye[0],    camera->eye[1],           camera->eye[2], camera->target[0],
+        camera->target[1], camera->target[2],        camera->up[0],  camera->up[1],
+        camera->up[2],     camera->vertical_fov_rad, ambient,        (float)phase->rayleigh_share};
+    const int size[] = {width, height};
+    uint64_t inputs = hash_bytes(truth_hash_scene(scene), view, sizeof view);
+    inputs = hash_bytes(hash_bytes(inputs, size, sizeof size), phase->name, strlen(phase->name));
+    return truth_cache_path("airlight", inputs, ".exr");
+}
+
+Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width, int height,
+                             const TruthPhase *phase, float ambient)
+{
+    char *path = cache_path(scene, camera, width, height, phase, ambient);
+    if (access(path, R_OK) == 0) {
+        Image kept = image_read(path);
+        free(path);
+        return kept;
+    }
+    const View view = view_of(camera, width, height);
+    Truth *truth = truth_open(&scene->mesh);
+    TruthShadows *shadows = truth_shadows_open(&scene->mesh, truth);
+    Image image = image_make(width, height, 4);
+    for (int i = 0; i < width * height; i++) {
+        double direction[3], radiance[3];
+        const int column = i % width, row = i / width;
+        view_ray(&view, 2.0 * (column + 0.5) / width - 1.0, 1.0 - 2.0 * (row + 0.5) / height, direction);
+        const vec3 along = vec3_make((float)direction[0], (float)direction[1], (float)direction[2]);
+        const TruthHit hit = truth_ray(truth, camera->eye, along);
+        truth_airlight(shadows, scene, phase, view.eye, direction, (double)hit.distance, radiance);
+        if (ambient >= 0.0f && isfinite(hit.distance))
+            surface_truth(truth, scene, &view, direction, hit, ambient, radiance);
+        for (int k = 0; k < 3; k++)
+            image.pixels[4 * i + k] = (float)radiance[k];
+        image.pixels[4 * i + 3] = 1.0f;
+    }
+    truth_shadows_close(shadows);
+    truth_close(truth);
+    image_write(path, &image, 0.0f);
+    free(path);
+    return image;
+}
