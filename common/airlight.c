@@ -39,11 +39,12 @@ Airlight airlight_open(const AirlightSettings *settings, const DepthMap *maps, s
         if (airlight.shader[kind])
             continue;
         // the order of LightKind; in the shaders: CUBE 0, SPOT 1, DIRECTIONAL 2
-        char *definitions = text_format(
-            "METHOD %d\nVARIANT %d\nPHASE %d\nAIRLIGHT_NODES %d\nMAP_KIND %d\nSHADOWED %d\nCOUNT %d\nGREY %d\n%s",
-            method, index_of(variants, settings->variant, "variant"), airlight_phase(settings->phase),
-            settings->nodes, kind, settings->shadowed, settings->count, settings->grey,
-            settings->definitions ? settings->definitions : "");
+        char *definitions = text_format("METHOD %d\nVARIANT %d\nPHASE %d\nAIRLIGHT_NODES %d\nMAP_KIND "
+                                        "%d\nSHADOWED %d\nEXACT %d\nCOUNT %d\nGREY %d\n%s",
+                                        method, index_of(variants, settings->variant, "variant"),
+                                        airlight_phase(settings->phase), settings->nodes, kind,
+                                        settings->shadowed, settings->exact, settings->count, settings->grey,
+                                        settings->definitions ? settings->definitions : "");
         airlight.shader[kind] = shader_open("airlight", definitions, file);
         free(definitions);
     }
@@ -77,6 +78,10 @@ void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera
     const GLuint table = airlight->settings.table ? airlight->settings.table : airlight->no_table;
     gl.BindImageTexture(3, table, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32F);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, airlight->counters);
+    if (airlight->settings.exact) {
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, airlight->reach.first);
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, airlight->reach.spans);
+    }
     shader_use(shader);
     raster_set_camera(shader, camera, (float)gbuffer->width / (float)gbuffer->height);
     shader_set_mat4(shader, "to_clip", (const float *)&map->to_clip);

@@ -16,6 +16,7 @@ typedef struct AirlightSettings {
     float rayleigh_share; // Hoffman and Preetham
     uint32_t seed;        // jittered
     bool shadowed;        // whether the depth maps are asked
+    bool exact;           // not they, but Airlight.reach: to tell their error from the method's own
     bool grey;            // extinction is the same in all channels: one exponential does for three
     bool count;           // lookups and rays left out are counted: costs time
     // A chapter's own method: its compute shader, which starts from common/airlight_ray.glsl, METHOD in it, and an R32F image that it reads at
@@ -27,12 +28,19 @@ typedef struct AirlightSettings {
 // PHASE in shaders/common/phase.glsl; another name ends the program.
 int airlight_phase(const char *name);
 
+// Where one light reaches each ray of a picture, as `length(first)` - 1 lists in one: of ray x + width · y, y upwards, spans first[i] up to first[i + 1],
+// (from, to) along the ray, in order. Buffers of uint32_t and of pairs of float.
+typedef struct AirlightReach {
+    GLuint first, spans;
+} AirlightReach;
+
 // One method's shaders, compiled for the kinds of light of one scene, and what they need.
 typedef struct Airlight {
     AirlightSettings settings;
     Shader *shader[3]; // by DepthMap.kind; NULL: no such light
     GLuint no_table;   // one texel
     GLuint counters;
+    AirlightReach reach; // settings.exact: of the light that is added next; not kept
 } Airlight;
 Airlight airlight_open(const AirlightSettings *settings, const DepthMap *maps, size_t map_count);
 void airlight_close(Airlight *airlight);

@@ -117,7 +117,9 @@ typedef struct RasterView {
 RasterView raster_view_open(const Raster *raster, const Scene *scene, int width, int height,
                             int map_resolution);
 void raster_view_close(RasterView *view);
-void raster_view_draw_maps(const RasterView *view);
+void raster_view_draw_maps(const RasterView *view); // of the lights where they are now
+// That without drawing: techniques ask a map where its light is, even where nothing can cast a shadow and the map is left out.
+void raster_view_aim(const RasterView *view);
 
 // Whether anything can cast a shadow into what the camera sees, its air included: false where the shadow of the scene's box is certain to miss the view.
 bool raster_can_shadow(const Scene *scene, const Light *light, const Camera *camera, float aspect);

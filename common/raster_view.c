@@ -60,8 +60,15 @@ void raster_view_close(RasterView *view)
     raster_mesh_delete(&view->mesh);
 }
 
+void raster_view_aim(const RasterView *view)
+{
+    for (size_t i = 0; i < view->scene->light_count; i++)
+        raster_depth_map_aim(&view->maps[i], view->scene, &view->scene->lights[i], NULL, 1.0f);
+}
+
 void raster_view_draw_maps(const RasterView *view)
 {
+    raster_view_aim(view);
     for (size_t i = 0; i < view->scene->light_count; i++)
         raster_depth_map_draw(view->raster, &view->maps[i], &view->scene->lights[i], &view->mesh);
 }

@@ -129,6 +129,11 @@ void truth_airlight(const TruthShadows *shadows, const Scene *scene, const Truth
 Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width, int height,
                              const TruthPhase *phase, float ambient);
 
+// For every pixel's ray, the spans that truth_lit_spans gives up to a thousandth behind the first surface, in new memory, one ray after the other: of pixel
+// x + width · y, y upwards, spans[first[i]] up to spans[first[i + 1]]. `first` has width · height + 1 items.
+TruthSpan *truth_lit_picture(const Scene *scene, const Light *light, const Camera *camera, int width,
+                             int height, uint32_t *first);
+
 // Cache under out/truth: the path of the file for this key. The key also holds a hash of truth's own source, so that a changed truth
 // is computed anew. `inputs` hashes everything that the picture depends on (hash_bytes).
 char *truth_cache_path(const char *what, uint64_t inputs, const char *ending); // caller frees; folder is made

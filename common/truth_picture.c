@@ -36,6 +36,15 @@ static void view_ray(const View *view, double u, double v, double direction[3]) 
         direction[k] /= length;
 }
 
+// The ray, and what it hits.
+static TruthHit view_hit(const View *view, const Truth *truth, const Camera *camera, double u, double v,
+                         double direction[3])
+{
+    view_ray(view, u, v, direction);
+    return truth_ray(truth, camera->eye,
+                     vec3_make((float)direction[0], (float)direction[1], (float)direction[2]));
+}
+
 // Barycentric, from the areas opposite each corner; on the side that the ray comes from.
 static vec3 smooth_normal(const Mesh *mesh, TruthHit hit, vec3 point, vec3 along)
 {
@@ -120,9 +129,8 @@ Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width
     for (int i = 0; i < width * height; i++) {
         double direction[3], radiance[3];
         const int column = i % width, row = i / width;
-        view_ray(&view, 2.0 * (column + 0.5) / width - 1.0, 1.0 - 2.0 * (row + 0.5) / height, direction);
-        const vec3 along = vec3_make((float)direction[0], (float)direction[1], (float)direction[2]);
-        const TruthHit hit = truth_ray(truth, camera->eye, along);
+        const double v = 1.0 - 2.0 * (row + 0.5) / height;
+        const TruthHit hit = view_hit(&view, truth, camera, 2.0 * (column + 0.5) / width - 1.0, v, direction);
         truth_airlight(shadows, scene, phase, view.eye, direction, (double)hit.distance, radiance);
         if (ambient >= 0.0f && isfinite(hit.distance))
             surface_truth(truth, scene, &view, direction, hit, ambient, radiance);
@@ -135,4 +143,32 @@ Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width
     image_write(path, &image, 0.0f);
     free(path);
     return image;
+}
+
+TruthSpan *truth_lit_picture(const Scene *scene, const Light *light, const Camera *camera, int width,
+                             int height, uint32_t *first)
+{
+    const View view = view_of(camera, width, height);
+    Truth *truth = truth_open(&scene->mesh);
+    TruthShadows *shadows = truth_shadows_open(&scene->mesh, truth);
+    TruthSpan *all = memory_new(1, sizeof *all, "lit spans");
+    first[0] = 0;
+    for (int i = 0; i < width * height; i++) {
+        double direction[3];
+        size_t count;
+        const int column = i % width, row = i / width;
+        const TruthHit hit = view_hit(&view, truth, camera, 2.0 * (column + 0.5) / width - 1.0,
+                                      2.0 * (row + 0.5) / height - 1.0, direction);
+        TruthSpan *spans =
+            truth_lit_spans(shadows, light, view.eye, direction, 1.001 * (double)hit.distance, &count);
+        if (first[i] + count > UINT32_MAX)
+            fail_work("truth: more than 2^32 - 1 lit spans in a picture");
+        first[i + 1] = first[i] + (uint32_t)count;
+        all = memory_grow(all, (size_t)first[i + 1] + 1, sizeof *all, "lit spans");
+        memcpy(all + first[i], spans, count * sizeof *spans);
+        free(spans);
+    }
+    truth_shadows_close(shadows);
+    truth_close(truth);
+    return all;
 }

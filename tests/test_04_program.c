@@ -157,6 +157,80 @@ Test(airlight_program, the_picture_is_surfaces_and_airlight)
     outcome_free(&glow);
 }
 
+// The picture's relative error (of 64² texels, 16 samples) against the truth.
+static double error_of(const char *arguments)
+{
+    char *truth = text_format("/tmp/airlight-truth-%d.exr", (int)getpid()),
+         *all = text_format("--set show=airlight --truth %s %s", truth, arguments);
+    Outcome got = program(all);
+    cr_assert_eq(got.status, 0, "%s: %s", arguments, got.text);
+    Image expected = image_read(truth);
+    const double error = image_compare(&got.picture, &expected).nrmse;
+    unlink(truth);
+    image_free(&expected);
+    outcome_free(&got);
+    free(all);
+    free(truth);
+    return error;
+}
+// A light that moves takes its map with it, and its place where no map is drawn. Maps of 64² texels: a hundredth.
+Test(airlight_program, a_light_that_moves_is_where_the_truth_has_it)
+{
+    cr_assert_lt(error_of("--scene two_lights --set method=segments --frames 9 --path light"), 2e-2);
+    cr_assert_lt(error_of("--scene haze --set method=segments --frames 9 --path light"), 1e-4);
+    cr_assert_lt(error_of("--scene sun --set method=segments --frames 9 --path light"), 1e-4);
+}
+// With exact visibility, what integrates exactly is the truth (8 nodes: 5e-5; float32); what samples keeps its own error, and a closed form loses that of its shadows.
+Test(airlight_program, an_exact_map_leaves_the_integrals_error)
+{
+    const double segments = error_of("--scene two_lights --set method=segments"),
+                 exact = error_of("--scene two_lights --set method=segments --set oracle=map");
+    cr_assert(segments > 5e-3 && exact < 1e-4, "segments: %g with the map, %g without", segments, exact);
+    const double summed =
+        error_of("--scene two_lights --set method=segments --set variant=signed --set oracle=map");
+    cr_assert(summed < 1e-3 && summed != exact, "signed: %g", summed);
+    const double march = error_of("--scene blocks --set method=march --set oracle=map"),
+                 factored = error_of("--scene blocks --set method=factored --set oracle=map");
+    cr_assert(march > 1e-2 && factored > 1e-3 && factored < march, "march %g, factored %g", march, factored);
+    const double open = error_of("--scene blocks --set method=gauss"),
+                 lit = error_of("--scene blocks --set method=gauss --set oracle=map");
+    cr_assert(open > 0.1 && lit < 1e-4, "gauss: %g without shadow, %g over the lit stretches", open, lit);
+}
+Test(airlight_program, an_exact_map_follows_eye_light_and_sun)
+{
+    cr_assert_lt(error_of("--scene blocks --set method=segments --set oracle=map --frames 2 --path orbit"),
+                 1e-4);
+    cr_assert_lt(error_of("--scene blocks --set method=segments --set oracle=map --frames 2 --path light"),
+                 1e-4);
+    cr_assert_lt(error_of("--scene colonnade --set method=segments --set oracle=map"),
+                 2e-3); // edges of the G-buffer's pixels
+    Outcome plan = program("--scene blocks --set show=airlight --set oracle=map");
+    cr_assert(!ran(plan.text, "depth maps") && strstr(plan.text, "oracle=map stands for them"), "%s",
+              plan.text);
+    outcome_free(&plan);
+}
+// What no sampling leaves of a method's error is the map's, so of all methods the same picture; of a closed form, what it does without shadow.
+Test(airlight_program, an_exact_integral_leaves_the_maps_error)
+{
+    Outcome segments = program("--scene blocks --set method=segments --set nodes=24"),
+            gauss = program("--scene blocks --set method=gauss --set nodes=24");
+    const char *const methods[] = {"march", "segments --set variant=signed", "sun"};
+    for (size_t i = 0; i < 3; i++) {
+        char *plain = text_format("--scene blocks --set method=%s", methods[i]),
+             *exact = text_format("%s --set oracle=quadrature", plain);
+        Outcome before = program(plain), after = program(exact);
+        cr_assert_eq(image_compare(&after.picture, i < 2 ? &segments.picture : &gauss.picture).max_abs, 0.0,
+                     "%s", methods[i]);
+        cr_assert_gt(image_compare(&after.picture, &before.picture).max_abs, 0.0, "%s", methods[i]);
+        outcome_free(&before);
+        outcome_free(&after);
+        free(plain);
+        free(exact);
+    }
+    outcome_free(&segments);
+    outcome_free(&gauss);
+}
+
 Test(airlight_program, closed_forms_for_one_phase_function_alone)
 {
     Outcome refused = program("--scene haze --set method=sun --set phase=rayleigh");

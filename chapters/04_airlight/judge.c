@@ -15,6 +15,11 @@ void airlight_errors(Run *run, const Raster *raster, const Camera *camera, const
                      const Image *got)
 {
     const int width = got->width, height = got->height;
+    Image truth = airlight_truth(run_scene(run), camera, width, height, settings, -1.0f);
+    run_image_errors(run, "truth", got, &truth, "");
+    image_free(&truth);
+    if (settings->exact) // no map
+        return;
     AirlightSettings limit = *settings;
     limit.shadowed = !closed_form_is(settings->method);
     limit.method = limit.shadowed ? "segments" : "gauss";
@@ -25,7 +30,4 @@ void airlight_errors(Run *run, const Raster *raster, const Camera *camera, const
         airlight_picture(raster, run_scene(run), camera, width, height, run_integer(run, "map"), &limit);
     run_image_errors(run, "converged", got, &converged, "");
     image_free(&converged);
-    Image truth = airlight_truth(run_scene(run), camera, width, height, settings, -1.0f);
-    run_image_errors(run, "truth", got, &truth, "");
-    image_free(&truth);
 }

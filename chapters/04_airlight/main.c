@@ -8,6 +8,7 @@
 #include "airlight.h"
 #include "closed_form.h"
 #include "judge.h"
+#include "oracle.h"
 #include "scenes.h"
 
 #include <stdlib.h>
@@ -25,6 +26,7 @@ static const RunParameter parameters[] = {
     {.name = "phase", .kind = RUN_CHOICE, .choices = "uniform rayleigh henyey_greenstein hoffman_preetham hoffman_preetham_normalized", .shows = "how scattered light is shared out; mean_cosine is g"},
     {.name = "rayleigh_share", .kind = RUN_NUMBER, .least = 0, .most = 1, .initial = {0.3}, .shows = "Hoffman and Preetham: Rayleigh's share of the scattering"},
     {.name = "map", .kind = RUN_INTEGER, .least = 16, .most = 8192, .initial = {1024}, .unit = "texels", .shows = "a side of the depth maps"},
+    {.name = "oracle", .kind = RUN_CHOICE, .choices = "none map quadrature", .shows = "a stage made exact: the truth's visibility for the depth map's, or no sampling"},
     {.name = "ambient", .kind = RUN_NUMBER, .least = 0, .most = 1e6, .initial = {0.05}, .unit = "W/(sr·m²)", .shows = "light on every surface, times its albedo"},
     {.name = "show", .kind = RUN_CHOICE, .choices = "picture airlight", .shows = "all that reaches the eye, or the in-scattered radiance alone"},
     {.name = NULL},
@@ -42,6 +44,17 @@ static const RunStep steps[] = {
 #define STEPS(method, n)                                                                                     \
     {                                                                                                        \
         method, NULL, "method=" method " steps=" #n, NULL                                                    \
+    }
+// Nothing casts, and the light is not before the eye: what orders of convergence are a smooth integrand's.
+#define SMOOTH(method, n)                                                                                    \
+    {                                                                                                        \
+        method, "haze", "method=" method " steps=" #n " light_position=0.5,2,1", NULL                        \
+    }
+// Where a row's error comes from; rows without an oracle are among the others.
+#define ORACLES(method, settings)                                                                            \
+    {method, "cornell", "method=" settings " oracle=map", NULL},                                             \
+    {                                                                                                        \
+        method, "cornell", "method=" settings " oracle=quadrature", NULL                                     \
     }
 // A file with its own camera, spot, candle and moon; but glTF knows no mist.
 #define LAMPS(method, settings)                                                                              \
@@ -74,6 +87,21 @@ static const RunRow sweep[] = {
     {"segments", NULL, "method=segments nodes=16", NULL},
     {"segments", NULL, "method=segments nodes=24", NULL},
     {"signed", NULL, "method=segments variant=signed", NULL},
+    SMOOTH("march", 16),
+    SMOOTH("march", 64),
+    SMOOTH("march", 256),
+    SMOOTH("march", 1024),
+    SMOOTH("jittered", 16),
+    SMOOTH("jittered", 64),
+    SMOOTH("jittered", 256),
+    SMOOTH("jittered", 1024),
+    ORACLES("march", "march steps=64"),
+    ORACLES("equiangular", "equiangular steps=64"),
+    ORACLES("factored", "factored steps=64"),
+    ORACLES("sun", "sun"),
+    ORACLES("pegoraro", "pegoraro"),
+    ORACLES("segments", "segments nodes=8"),
+    ORACLES("signed", "segments variant=signed"),
     LAMPS("march", "march steps=16"),
     LAMPS("march", "march steps=64"),
     LAMPS("march", "march steps=256"),
@@ -111,6 +139,7 @@ static const char *const AIRLIGHT_ALONE = "the airlight is shown alone";
 static const char *const NO_LIGHT = "the scene has no light";
 static const char *const NO_CASTER = "nothing can cast a shadow into the view";
 static const char *const NO_SHADOW = "the method knows no shadow";
+static const char *const EXACT = "oracle=map stands for them";
 static const char *const NO_EXTINCTION = "the medium takes no light away";
 static const char *const NO_SCATTERING = "the medium scatters nothing";
 
@@ -147,8 +176,8 @@ enum { SURFACES, ATTENUATED, UNSHADOWED, SHADOWED, PICTURES }; // in the order o
 // One light after the other into `glow`, through the depth maps where `shadows` are wanted and can be; the method's shaders without and with lookups are
 // compiled when they are first used.
 static void draw_airlight(Run *run, const AirlightSettings *settings, Airlight by_shadow[2],
-                          const RasterView *view, const Camera *camera, bool shadows,
-                          const RasterTarget *glow)
+                          const RasterView *view, const AirlightReach *reach, const Camera *camera,
+                          bool shadows, const RasterTarget *glow)
 {
     const Scene *scene = view->scene;
     double missed = 0, lookups = 0;
@@ -158,8 +187,11 @@ static void draw_airlight(Run *run, const AirlightSettings *settings, Airlight b
         if (!by_shadow[cast].counters) {
             AirlightSettings with = *settings;
             with.shadowed = cast;
+            with.exact = cast && settings->exact;
             by_shadow[cast] = airlight_open(&with, view->maps, scene->light_count);
         }
+        if (reach)
+            by_shadow[cast].reach = reach[i];
         airlight_add(&by_shadow[cast], &view->gbuffer, camera, scene, &scene->lights[i], &view->maps[i],
                      glow->texture);
         if (settings->count) {
@@ -205,15 +237,16 @@ int main(int argc, char **argv)
                                      .shadowed = true, // where a comparison is drawn
                                      .count = !run_measuring_error(run)};
         GLuint table = run_chosen(run, "method", "sun") ? closed_form_table(run_integer(run, "table")) : 0;
-        settings = closed_form_settings(settings, table);
-        const bool knows_shadow = !closed_form_is(settings.method);
+        settings = closed_form_settings(oracle_settings(settings, run_choice(run, "oracle")), table);
+        const bool knows_shadow = settings.exact || !closed_form_is(settings.method);
         RasterView view = raster_view_open(raster, scene, width, height, run_integer(run, "map"));
         Airlight airlight[2] = {0}; // without and with shadow
         RasterTarget picture[PICTURES], one_light = raster_target_open("one light", width, height);
         RasterTarget glow = raster_target_open("airlight", width, height);
         for (int i = 0; i < PICTURES; i++)
             picture[i] = raster_target_open(steps[i].name, width, height);
-        uint64_t last_eye = 0, last_lights = 0;
+        AirlightReach *reach = NULL; // oracle=map: of the view that reach_view hashes
+        uint64_t last_eye = 0, last_lights = 0, reach_view = 0;
 
         while (run_frame(run)) {
             Camera camera = run_camera(run);
@@ -223,6 +256,12 @@ int main(int argc, char **argv)
                        changed = new_eye || new_lights;
             last_eye = hash_camera(camera);
             last_lights = hash_lights(scene);
+            const uint64_t this_view = hash_bytes(last_eye, &last_lights, sizeof last_lights);
+            if (settings.exact && (!reach || reach_view != this_view)) { // outside the passes' time
+                oracle_reach_free(reach, scene);
+                reach = oracle_reach(scene, &camera, width, height);
+                reach_view = this_view;
+            }
 
             // One picture is shown: what only another one needs is left out.
             const bool show_surfaces = pictures && run_step_shown(run, "surfaces");
@@ -237,10 +276,14 @@ int main(int argc, char **argv)
                 cast = cast || raster_can_shadow(scene, &scene->lights[i], &camera, run_aspect(run));
             const bool shadows = show_airlight && scatters && knows_shadow && cast;
 
+            if (new_lights)
+                raster_view_aim(&view);
             //[maps
-            if (run_pass_common(run, "depth maps", new_lights && lit && (clear || behind || shadows),
+            if (run_pass_common(run, "depth maps",
+                                new_lights && lit && (clear || behind || (shadows && !settings.exact)),
                                 !lit                                         ? NO_LIGHT
                                 : !new_lights                                ? SAME_VIEW
+                                : shadows && settings.exact                  ? EXACT
                                 : show_airlight && scatters && !knows_shadow ? NO_SHADOW
                                                                              : NO_CASTER))
                 raster_view_draw_maps(&view);
@@ -285,7 +328,7 @@ int main(int argc, char **argv)
                                               : NOT_SHOWN;
             if (run_pass(run, "airlight without shadow", changed && lit && scatters && show_unshadowed,
                          why_not))
-                draw_airlight(run, &settings, airlight, &view, &camera, false, &glow);
+                draw_airlight(run, &settings, airlight, &view, reach, &camera, false, &glow);
             if (run_pass_common(run, "sum without shadow", changed && scatters && show_unshadowed, why_not))
                 airlight_sum(&haze, &view.gbuffer, alone ? 0.0f : 1.0f, surfaces, glow.texture,
                              picture[UNSHADOWED].texture);
@@ -295,7 +338,7 @@ int main(int argc, char **argv)
                               : surfaces);
 
             if (run_pass(run, "airlight", changed && lit && scatters && show_airlight, why_not))
-                draw_airlight(run, &settings, airlight, &view, &camera, knows_shadow, &glow);
+                draw_airlight(run, &settings, airlight, &view, reach, &camera, knows_shadow, &glow);
             if (run_pass_common(run, "sum", changed && scatters && pictures && show_airlight, why_not))
                 airlight_sum(&haze, &view.gbuffer, alone ? 0.0f : 1.0f, surfaces, glow.texture,
                              picture[SHADOWED].texture);
@@ -323,6 +366,7 @@ int main(int argc, char **argv)
             raster_target_close(&picture[i]);
         for (int i = 0; i < 2; i++)
             airlight_close(&airlight[i]);
+        oracle_reach_free(reach, scene);
         raster_view_close(&view);
         gl_texture_delete(&table);
     }

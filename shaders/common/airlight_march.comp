@@ -1,5 +1,8 @@
 // The methods that sample the ray: uniform midpoints, jittered, equiangular, and factored. `steps` samples each.
 #include "common/airlight_ray.glsl"
+#if EXACT
+#include "common/airlight_exact.glsl"
+#endif
 
 #define MARCH 0
 #define JITTERED 1
@@ -17,6 +20,16 @@ float random(uvec3 item)
     state = state * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return float(((word >> 22u) ^ word) >> 8u) * exp2(-24.0);
+}
+
+// 1 lit, 0 in shadow.
+float lit_at(Ray ray, float t)
+{
+#if EXACT
+    return exact_lit(t);
+#else
+    return ray_lit(ray, t);
+#endif
 }
 
 //[sample
@@ -85,6 +98,9 @@ void main()
     Ray ray = ray_of(pixel);
     if (!ray_needed(pixel, ray))
         return;
+#if EXACT
+    exact_begin(pixel, imageSize(airlight).x);
+#endif
     vec3 sum = vec3(0.0);
 #if METHOD == FACTORED
     //[factored
@@ -93,7 +109,7 @@ void main()
     for (int i = 0; i < slices; i++) {
         float lit = 0.0;
         for (int k = 0; k < SUBSAMPLES; k++)
-            lit += ray_lit(ray, sample_ray(ray, (float(i) + (float(k) + 0.5) / float(SUBSAMPLES)) / float(slices)).x);
+            lit += lit_at(ray, sample_ray(ray, (float(i) + (float(k) + 0.5) / float(SUBSAMPLES)) / float(slices)).x);
         vec2 middle = sample_ray(ray, (float(i) + 0.5) / float(slices));
         sum += lit / float(SUBSAMPLES) * middle.y * integrand(ray, middle.x);
     }
@@ -114,10 +130,10 @@ void main()
 #endif
         float counted = float(i < steps);
         vec2 at = sample_ray(ray, min(x, 1.0));
-        sum += counted * ray_lit(ray, at.x) * at.y * integrand(ray, at.x);
+        sum += counted * lit_at(ray, at.x) * at.y * integrand(ray, at.x);
     }
     sum /= float(steps);
     //]
 #endif
-    ray_store(pixel, ray, sum, SHADOWED != 0 || EVERYTHING != 0 ? uint(steps) : 0u);
+    ray_store(pixel, ray, sum, EXACT == 0 && (SHADOWED != 0 || EVERYTHING != 0) ? uint(steps) : 0u);
 }

@@ -1,6 +1,9 @@
 // Lit intervals of a ray, found by walking through the depth map, each integrated on its own: what the map says, without sampling error.
 // VARIANT 1: as Billeter et al. (2010, eq. 3) sum them, signed integrals from the eye to each border in any order.
 #include "common/airlight_ray.glsl"
+#if EXACT
+#include "common/airlight_exact.glsl"
+#endif
 
 #define INTERVALS 0
 #define SIGNED 1
@@ -135,7 +138,13 @@ void main()
         return;
     vec3 sum = vec3(0.0);
     uint fetches = 0u;
-#if SHADOWED || EVERYTHING
+#if EXACT
+    exact_begin(pixel, imageSize(airlight).x);
+    for (; exact_at < exact_end; exact_at++) {
+        vec2 lit = clamp(exact_spans[exact_at], ray.from, ray.to);
+        sum += lit.x < lit.y ? lit_interval(ray, lit) : vec3(0.0);
+    }
+#elif SHADOWED || EVERYTHING
     //[segments
     for (int face = 0; face < FACES; face++) {
         Walk walk = walk_start(ray, face);
