@@ -162,8 +162,9 @@ Test(conservative, part_of_the_angles)
         bench.borders[i] = 0.5f * (float)i / 24 * (1 + (float)i / 24);
     add_random(&bench, 16, 1.5);
     add_around(&bench, EYE + 0.4f * (LAMP - EYE));
-    voxels_add(&bench, LAMP + vec3_make(0.2f, 0, 0.2f), LAMP + vec3_make(0.3f, 0.1f, 0.1f),
-               LAMP + vec3_make(0.1f, 0.2f, 0.3f)); // all of it before the range of α
+    const vec3 before = EYE + 0.95f * (LAMP - EYE); // all of it before the range of α
+    voxels_add(&bench, before + vec3_make(0.3f, 0, 0.1f), before + vec3_make(-0.15f, 0.2f, 0.05f),
+               before + vec3_make(-0.1f, -0.25f, -0.2f));
     check_all(&bench, "part");
     cr_assert(bench.counts.outside > 0 && bench.counts.outside < 16, "%u of 18 outside",
               bench.counts.outside);
