@@ -1,11 +1,14 @@
 // about: see about.h.
 #include "about.h"
+#include "judge.h"
+#include "vsv_scenes.h"
 
-static const char *const scenes[] = {"colonnade", "fence", "bunny", "cornell", NULL};
+static const char *const scenes[] = {"fence", "toroid", "colonnade", "forest",
+                                     "bunny", "cell24", "crowd",     NULL};
 
 // clang-format off
 static const RunParameter parameters[] = {
-    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative solid march equiangular segments", .shows = "how voxels are found; or the same picture by brute force on the map"},
+    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative solid rays march equiangular segments", .shows = "how voxels are found; or the same picture by shadow rays at the grid's angles, or by brute force on the map"},
     {.name = "alpha", .kind = RUN_INTEGER, .least = 1, .most = 4096, .initial = {512}, .unit = "voxels", .shows = "view rays in a slice"},
     {.name = "theta", .kind = RUN_INTEGER, .least = 1, .most = 8192, .initial = {1024}, .unit = "voxels", .shows = "slices about the line from eye to light"},
     {.name = "phi", .kind = RUN_CHOICE, .choices = "512 128 256 1024", .shows = "light rays in a slice"},
@@ -38,34 +41,16 @@ static const RunStep steps[] = {
     {NULL, NULL},
 };
 
-static const RunRow sweep[] = {
-    {"map", NULL, "method=map theta=256 alpha=128 phi=128", NULL},
-    {"map", NULL, "method=map theta=512 alpha=256 phi=256", NULL},
-    {"map", NULL, "method=map", NULL},
-    {"map, square", NULL, "method=map warp=square", NULL},
-    {"map, riemann", NULL, "method=map integral=riemann", NULL},
-    {"map, factored", NULL, "method=map integral=factored", NULL},
-    {"map, filtered", NULL, "method=map filter=epipolar", NULL},
-    {"conservative", NULL, "method=conservative", NULL},
-    {"equiangular", NULL, "method=equiangular steps=16", NULL},
-    {"equiangular", NULL, "method=equiangular steps=64", NULL},
-    {"equiangular", NULL, "method=equiangular steps=256", NULL},
-    {"equiangular", NULL, "method=equiangular steps=1024", NULL},
-    {NULL, NULL, NULL, NULL},
-};
-static const RunRow cases[] = {
-    {NULL, NULL, NULL, NULL},
-};
-
 const RunAbout epipolar_about = {
     .chapter = "06_epipolar_vsv",
     .title = "Epipolar voxelized shadow volumes",
     .shows = "shadows in a medium from bits in a grid whose axes run along light rays and view rays",
     .source = "Wyman 2011",
-    .uses = RUN_USES_CAMERA | RUN_USES_LIGHT | RUN_USES_MEDIUM,
+    .uses = RUN_USES_CAMERA | RUN_USES_LIGHT | RUN_USES_MEDIUM | RUN_USES_DEFORM,
     .scenes = scenes,
+    .own_scenes = vsv_scenes,
     .parameters = parameters,
     .steps = steps,
-    .sweep = sweep,
-    .stability = cases,
+    .sweep = judge_sweep,
+    .stability = judge_cases,
 };

@@ -5,8 +5,9 @@
 // how much of each view ray is in shadow; surfaces lit by their voxels; the light that the medium scatters; and the picture.
 // Source: Wyman, "Voxelized shadow volumes" (2011).
 #include "about.h"
+#include "cell24.h"
+#include "judge.h"
 #include "technique.h"
-#include "truth.h"
 
 #include <string.h>
 
@@ -31,9 +32,9 @@ static uint64_t hash_view(const Scene *scene, Camera c)
     return hash;
 }
 
-static TechniqueNeeds needs_of(const Run *run, size_t light, const Camera *camera, bool changed, bool asked)
+static TechniqueNeeds needs_of(const Run *run, const Scene *scene, size_t light, const Camera *camera,
+                               bool changed, bool asked)
 {
-    const Scene *scene = run_scene(run);
     const bool casts = raster_can_shadow(scene, &scene->lights[light], camera, run_aspect(run));
     return (TechniqueNeeds){.changed = changed,
                             .casts = asked && casts,
@@ -66,7 +67,12 @@ int main(int argc, char **argv)
     AirlightHaze haze = airlight_haze_open();
     Shader *flat = shader_open("the grid laid flat", NULL, "06_epipolar_vsv/show.comp");
     while (run_setting(run)) {
-        const Scene *scene = run_scene(run);
+        // What moves is a copy; all else is the scene itself.
+        const bool deforming = run_deforming(run);
+        if (deforming && strcmp(run_scene(run)->name, "cell24") != 0)
+            fail_request("--path deform: scene %s keeps its shape; cell24 changes it", run_scene(run)->name);
+        Scene moved = deforming ? cell24_begin(run_scene(run)) : (Scene){0};
+        const Scene *scene = deforming ? &moved : run_scene(run);
         const int width = run_width(run), height = run_height(run);
         const size_t lights = scene->light_count;
         const bool pictures = run_picture_needed(run);
@@ -91,9 +97,15 @@ int main(int argc, char **argv)
             const bool glows = !pictures || shown[AIRLIGHT] || shown[PICTURE];
             const bool flat_shown = shown[VOXELS] || shown[SCANNED] || shown[COUNTS] || shown[LIT_SURFACES];
             const bool clear = shown[CLEAR] || (shown[PICTURE] && !extinguishes);
+            uint64_t view_now = hash_view(scene, camera);
+            if (deforming && run_pass_common(run, "deform", true, NULL)) {
+                const uint64_t shape = cell24_turn(&moved, run_frame_number(run), &view.mesh);
+                view_now = hash_bytes(view_now, &shape, sizeof shape);
+                technique_moved(&technique, scene);
+            }
             // while measuring, frame 0 comes again and again
-            const bool changed = run_frame_number(run) == 0 || hash_view(scene, camera) != last_view;
-            last_view = hash_view(scene, camera);
+            const bool changed = run_frame_number(run) == 0 || view_now != last_view;
+            last_view = view_now;
             bool any_casts = false;
             for (size_t i = 0; i < lights; i++)
                 any_casts =
@@ -122,7 +134,7 @@ int main(int argc, char **argv)
             //[volumes
             const bool volumes = !technique.brute && lights > 0;
             for (size_t i = 0; i < lights && volumes; i++) {
-                const TechniqueNeeds needs = needs_of(run, i, &camera, changed, asked);
+                const TechniqueNeeds needs = needs_of(run, scene, i, &camera, changed, asked);
                 technique_voxels(&technique, run, &view, &camera, i, &needs, picture[AIRLIGHT].texture);
             }
             const char *why_flat = volumes ? NOT_SHOWN : NO_VOLUME;
@@ -131,7 +143,7 @@ int main(int argc, char **argv)
             run_step(run, "voxels", picture[VOXELS].texture);
 
             for (size_t i = 0; i < lights && volumes; i++) {
-                const TechniqueNeeds needs = needs_of(run, i, &camera, changed, asked);
+                const TechniqueNeeds needs = needs_of(run, scene, i, &camera, changed, asked);
                 technique_scan(&technique, run, i, &needs);
             }
             if (run_pass_common(run, "show scanned", volumes && shown[SCANNED], why_flat) && volumes)
@@ -179,19 +191,32 @@ int main(int argc, char **argv)
             //]
 
             if (run_truth_wanted(run)) {
-                const TruthPhase phase = {technique.airlight.phase, (double)scene->medium.mean_cosine,
-                                          (double)technique.airlight.rayleigh_share};
-                Image truth = truth_airlight_picture(scene, &camera, width, height, &phase,
-                                                     shown[AIRLIGHT] || !pictures ? -1.0f : ambient);
+                Image truth = judge_truth(scene, &camera, width, height, &technique.airlight,
+                                          shown[AIRLIGHT] || !pictures ? -1.0f : ambient);
                 run_truth(run, &truth);
                 image_free(&truth);
             }
         }
+        const Camera camera = run_camera(run);
+        const RenderSettings all = {.airlight = technique.airlight,
+                                    .volume = technique.size,
+                                    .asked = technique.asked,
+                                    .full = !technique.seen,
+                                    .map = run_integer(run, "map")};
+        Image got = raster_target_read(&picture[AIRLIGHT], width, height);
+        if (run_measuring_error(run))
+            judge_errors(run, raster, scene, &camera, &all, &got);
+        else if (run_checking(run))
+            judge_case(run, raster, &camera, &all, &got);
+        image_free(&got);
+
         raster_target_close(&one_light);
         raster_target_close(&attenuated);
         for (int i = 0; i < PICTURES; i++)
             raster_target_close(&picture[i]);
         technique_close(&technique, lights);
+        if (deforming)
+            cell24_end(&moved);
         raster_view_close(&view);
     }
     shader_close(flat);

@@ -3,6 +3,9 @@
 
 #include <stdlib.h>
 
+static const char *const AT_EYE = "the light sees what the eye sees";
+static const char *const NO_GRID = "rays ask the scene itself";
+
 static void check_settings(const Run *run, const Technique *technique)
 {
     const bool window = technique->asked.textured;
@@ -44,7 +47,9 @@ Technique technique_open(const Run *run, const RasterView *view)
                              .slice = atoi(run_choice(run, "slice")),
                              .filtered = run_chosen(run, "filter", "epipolar"),
                              .textured = run_chosen(run, "texture", "window")}};
-    t.brute = !t.geometric && !run_chosen(run, "method", "map");
+    t.by_rays = run_chosen(run, "method", "rays");
+    t.brute = !t.by_rays && !t.geometric && !run_chosen(run, "method", "map");
+    t.rays = t.by_rays ? rays_open(&view->scene->mesh) : NULL;
     t.airlight = airlight_settings(run, t.brute);
     check_settings(run, &t);
     if (t.geometric) {
@@ -76,6 +81,7 @@ void technique_close(Technique *technique, size_t lights)
     free(technique->vsv);
     free(technique->at_eye);
     triangles_close(&technique->triangles);
+    rays_close(technique->rays);
     airlight_close(&technique->march);
     query_close(&technique->query);
 }
@@ -110,23 +116,23 @@ void technique_voxels(Technique *technique, Run *run, const RasterView *view, co
     Vsv *vsv = &technique->vsv[light];
     Triangles *triangles = &technique->triangles;
     const QueryView asked = technique_view(view, camera, light);
-    const bool needed = needs->changed && needs->casts;
-    const char *at_eye = "the light sees what the eye sees";
+    const bool needed = needs->changed && (needs->casts || technique->by_rays);
     if (needs->changed)
         aim(technique, vsv, &asked);
     if (run_pass(run, "range", needed, needs->why_not)) {
         const bool apart = query_range(&technique->query, vsv, &asked, technique->seen, picture);
         technique->at_eye[light] = !apart;
     }
-    const bool apart = !technique->at_eye[light];
-    if (run_pass(run, "clear", needed && apart, apart ? needs->why_not : at_eye))
+    const bool apart = !technique->at_eye[light], filled = needed && apart && !technique->by_rays;
+    const char *why_not = technique->by_rays ? NO_GRID : apart ? needs->why_not : AT_EYE;
+    if (run_pass(run, "clear", filled, why_not))
         vsv_clear(vsv);
-    if (technique->geometric && run_pass(run, "extents", needed && apart, apart ? needs->why_not : at_eye)) {
+    if (technique->geometric && run_pass(run, "extents", filled, why_not)) {
         triangles_vsv_list(triangles, &view->mesh, vsv, asked.light);
         run_skipped(run, triangles->counted.outside, (double)view->scene->mesh.triangle_count);
         run_count(run, "items", triangles->counted.items);
     }
-    if (run_pass(run, "voxels", needed && apart, apart ? needs->why_not : at_eye)) {
+    if (run_pass(run, "voxels", filled, why_not)) {
         if (technique->geometric)
             triangles_vsv_fill(triangles, &view->mesh, vsv, asked.light);
         else
@@ -139,8 +145,8 @@ void technique_scan(const Technique *technique, Run *run, size_t light, const Te
 {
     const Vsv *vsv = &technique->vsv[light];
     const bool apart = !technique->at_eye[light];
-    if (run_pass(run, "scan", needs->changed && needs->casts && apart,
-                 apart ? needs->why_not : "the light sees what the eye sees")) {
+    const bool needed = needs->changed && needs->casts && apart && !technique->by_rays;
+    if (run_pass(run, "scan", needed, technique->by_rays ? NO_GRID : apart ? needs->why_not : AT_EYE)) {
         vsv_scan(vsv);
         run_count(run, "megabytes", (double)vsv->bytes / 1048576.0);
         if (technique->airlight.count)
@@ -148,6 +154,29 @@ void technique_scan(const Technique *technique, Run *run, size_t light, const Te
     }
     if (needs->changed && !(needs->casts && apart))
         vsv_light_all(vsv);
+}
+
+// The rays' own speed stands beside that of a bare loop over a share of them.
+static void draw_rays(Run *run, const Technique *technique, size_t light, const QueryView *asked,
+                      GLuint picture)
+{
+    const Vsv *vsv = &technique->vsv[light];
+    const RaysCount count = baseline_airlight(technique->rays, vsv, asked, &technique->airlight, picture);
+    run_count(run, "rays", count.rays);
+    if (run_measuring_error(run))
+        return;
+    enum { STRIDE = 16 };
+    const RaysCount bare = baseline_bare(technique->rays, vsv, asked, &technique->airlight, STRIDE);
+    note("%.4g rays, %.3g million a second; in a bare loop %.3g", count.rays,
+         count.rays / count.seconds / 1e6, bare.rays / bare.seconds / 1e6);
+}
+
+void technique_moved(Technique *technique, const Scene *scene)
+{
+    if (technique->by_rays) {
+        rays_close(technique->rays);
+        technique->rays = rays_open(&scene->mesh);
+    }
 }
 
 void technique_airlight(const Technique *technique, Run *run, const RasterView *view, const Camera *camera,
@@ -160,7 +189,9 @@ void technique_airlight(const Technique *technique, Run *run, const RasterView *
         const QueryView asked = technique_view(view, camera, i);
         if (technique->brute && volume)
             aim(technique, &technique->vsv[i], &asked);
-        if (volume)
+        if (technique->by_rays)
+            draw_rays(run, technique, i, &asked, picture);
+        else if (volume)
             query_airlight(&technique->query, &technique->vsv[i], &asked, picture);
         else
             airlight_add(counted, asked.gbuffer, camera, asked.scene, asked.light, asked.map, picture);

@@ -2,12 +2,13 @@
 #ifndef TECHNIQUE_H
 #define TECHNIQUE_H
 
-#include "query.h"
+#include "baseline.h"
 #include "run.h"
 #include "triangles_vsv.h"
 
 typedef struct Technique {
-    bool brute;     // no volume is built
+    bool brute;     // on the map: no volume at all
+    bool by_rays;   // shadow rays at the volume's angles: no voxels
     bool geometric; // voxels come from triangles, else from the light's map
     bool seen;      // the grids cover what the picture shows
     VsvSettings size;
@@ -16,6 +17,7 @@ typedef struct Technique {
     Airlight march; // brute force, but for a textured light
     Query query;
     Triangles triangles;
+    Rays *rays;
     Vsv *vsv;     // one a light
     bool *at_eye; // a light so near the eye that both see the same
 } Technique;
@@ -33,6 +35,8 @@ typedef struct TechniqueNeeds {
 void technique_voxels(Technique *technique, Run *run, const RasterView *view, const Camera *camera,
                       size_t light, const TechniqueNeeds *needs, GLuint picture);
 void technique_scan(const Technique *technique, Run *run, size_t light, const TechniqueNeeds *needs);
+// The scene has moved: what stands on its triangles is built anew.
+void technique_moved(Technique *technique, const Scene *scene);
 // All lights' airlight into a picture that has been cleared.
 void technique_airlight(const Technique *technique, Run *run, const RasterView *view, const Camera *camera,
                         GLuint picture);
