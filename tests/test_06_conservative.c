@@ -256,12 +256,9 @@ Test(flat, subdivision_closes_in_on_curved_edges)
 {
     VoxelBench bench = voxels_bench(EYE, LAMP, 64, 64, 64);
     add_random(&bench, 12, 2.0);
-    const FlatError one = flat_error(&bench, SPLIT_ALL, 1), two = flat_error(&bench, SPLIT_ALL, 2),
-                    most = flat_error(&bench, SPLIT_ALL, 16);
-    cr_assert(one.missing > 0.05 && one.extra > 0.05, "one part: %g missing, %g extra", one.missing,
-              one.extra);
-    cr_assert(two.missing < 0.75 * one.missing, "two parts: %g missing, one: %g", two.missing, one.missing);
-    cr_assert(most.missing < 0.75 * two.missing, "16 parts: %g missing, two: %g", most.missing, two.missing);
+    const FlatError one = flat_error(&bench, SPLIT_ALL, 1), most = flat_error(&bench, SPLIT_ALL, 16);
+    cr_assert(one.missing > 0.1 && one.extra > 0.1, "one part: %g missing, %g extra", one.missing, one.extra);
+    cr_assert(most.missing < 0.5 * one.missing, "16 parts: %g missing, one: %g", most.missing, one.missing);
     cr_assert(most.missing > 0.0, "nothing is missing");
     voxels_close(&bench);
 }
