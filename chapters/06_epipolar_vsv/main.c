@@ -4,18 +4,21 @@
 // You should see the scene in clear air; then the grid laid flat, its voxels where surfaces begin to cast shadow; then scanned, with all that lies behind them;
 // how much of each view ray is in shadow; the light that the medium scatters; and the picture.
 // Source: Wyman, "Voxelized shadow volumes" (2011).
-#include "query.h"
-#include "run.h"
+#include "baseline.h"
+#include "cell24.h"
+#include "judge.h"
 #include "triangles_vsv.h"
-#include "truth.h"
+#include "vsv_scenes.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-static const char *const scenes[] = {"colonnade", "fence", "bunny", "cornell", NULL};
+static const char *const scenes[] = {"fence", "toroid", "colonnade", "forest",
+                                     "bunny", "cell24", "crowd",     NULL};
 
 // clang-format off
 static const RunParameter parameters[] = {
-    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative solid march equiangular segments", .shows = "how voxels are found; or the same picture by brute force on the map"},
+    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative solid rays march equiangular segments", .shows = "how voxels are found; or the same picture by shadow rays at the grid's angles, or by brute force on the map"},
     {.name = "alpha", .kind = RUN_INTEGER, .least = 1, .most = 4096, .initial = {512}, .unit = "voxels", .shows = "view rays in a slice"},
     {.name = "theta", .kind = RUN_INTEGER, .least = 1, .most = 8192, .initial = {1024}, .unit = "voxels", .shows = "slices about the line from eye to light"},
     {.name = "phi", .kind = RUN_CHOICE, .choices = "512 128 256 1024", .shows = "light rays in a slice"},
@@ -43,28 +46,18 @@ static const RunStep steps[] = {
     {NULL, NULL},
 };
 
-static const RunRow sweep[] = {
-    {"map", NULL, "method=map theta=512", NULL},
-    {"map", NULL, "method=map", NULL},
-    {"equiangular", NULL, "method=equiangular steps=64", NULL},
-    {"equiangular", NULL, "method=equiangular steps=256", NULL},
-    {NULL, NULL, NULL, NULL},
-};
-static const RunRow cases[] = {
-    {NULL, NULL, NULL, NULL},
-};
-
 static const RunAbout about = {
     .chapter = "06_epipolar_vsv",
     .title = "Epipolar voxelized shadow volumes",
     .shows = "shadows in a medium from bits in a grid whose axes run along light rays and view rays",
     .source = "Wyman 2011",
-    .uses = RUN_USES_CAMERA | RUN_USES_LIGHT | RUN_USES_MEDIUM,
+    .uses = RUN_USES_CAMERA | RUN_USES_LIGHT | RUN_USES_MEDIUM | RUN_USES_DEFORM,
     .scenes = scenes,
+    .own_scenes = vsv_scenes,
     .parameters = parameters,
     .steps = steps,
-    .sweep = sweep,
-    .stability = cases,
+    .sweep = judge_sweep,
+    .stability = judge_cases,
 };
 
 enum { CLEAR, VOXELS, SCANNED, COUNTS, AIRLIGHT, PICTURE, PICTURES }; // in the order of `steps`
@@ -75,6 +68,22 @@ static void draw_counts(const Query *query, const Vsv *vsv, const QueryView *vie
     query_counts(query, vsv, view, target->texture);
 }
 
+static const char *const NO_GRID = "rays ask the scene itself";
+
+// The rays' own speed stands beside that of a bare loop over a share of them.
+static void draw_rays(Run *run, const Rays *rays, const Vsv *vsv, const QueryView *view,
+                      const AirlightSettings *settings, GLuint picture)
+{
+    const RaysCount count = baseline_airlight(rays, vsv, view, settings, picture);
+    run_count(run, "rays", count.rays);
+    if (run_measuring_error(run))
+        return;
+    enum { STRIDE = 16 };
+    const RaysCount bare = baseline_bare(rays, vsv, view, settings, STRIDE);
+    note("%.4g rays, %.3g million a second; in a bare loop %.3g", count.rays,
+         count.rays / count.seconds / 1e6, bare.rays / bare.seconds / 1e6);
+}
+
 int main(int argc, char **argv)
 {
     Run *run = run_open(&about, argc, argv);
@@ -82,12 +91,18 @@ int main(int argc, char **argv)
     AirlightHaze haze = airlight_haze_open();
     Shader *flat = shader_open("the grid laid flat", NULL, "06_epipolar_vsv/show.comp");
     while (run_setting(run)) {
-        const Scene *scene = run_scene(run);
+        // What moves is a copy; all else is the scene itself.
+        const bool deforming = run_deforming(run);
+        if (deforming && strcmp(run_scene(run)->name, "cell24") != 0)
+            fail_request("--path deform: scene %s keeps its shape; cell24 changes it", run_scene(run)->name);
+        Scene moved = deforming ? cell24_begin(run_scene(run)) : (Scene){0};
+        const Scene *scene = deforming ? &moved : run_scene(run);
         const int width = run_width(run), height = run_height(run);
         const vec3 extinction = scene->medium.scattering + scene->medium.absorption;
         const size_t lights = scene->light_count;
+        const bool by_rays = run_chosen(run, "method", "rays");
         const bool geometric = triangles_method(run_choice(run, "method"));
-        const bool brute = !geometric && !run_chosen(run, "method", "map");
+        const bool brute = !by_rays && !geometric && !run_chosen(run, "method", "map");
         const AirlightSettings settings = {.method = brute ? run_choice(run, "method") : "march",
                                            .variant = "intervals",
                                            .phase = run_choice(run, "phase"),
@@ -105,6 +120,7 @@ int main(int argc, char **argv)
                                   .scan = run_choice(run, "scan"),
                                   .warp = run_choice(run, "warp"),
                                   .slices = run_choice(run, "slices")};
+        Rays *rays = by_rays ? rays_open(&scene->mesh) : NULL;
         RasterView view = raster_view_open(raster, scene, width, height, run_integer(run, "map"));
         Airlight march = {0};
         Query query = {0};
@@ -127,6 +143,13 @@ int main(int argc, char **argv)
 
         while (run_frame(run)) {
             const Camera camera = run_camera(run);
+            if (deforming && run_pass_common(run, "deform", true, NULL)) {
+                cell24_turn(&moved, run_frame_number(run), &view.mesh);
+                if (by_rays) {
+                    rays_close(rays);
+                    rays = rays_open(&scene->mesh);
+                }
+            }
             if (run_pass_common(run, "depth maps", lights > 0, "the scene has no light"))
                 raster_view_draw_maps(&view);
             if (run_pass_common(run, "G-buffer", true, NULL))
@@ -156,14 +179,14 @@ int main(int argc, char **argv)
                     if (!run_chosen(run, "range", "full") || frame.at_infinity)
                         query_range(&query, &vsv[i], &seen, picture[AIRLIGHT].texture);
                 }
-                if (run_pass(run, "clear", true, NULL))
+                if (run_pass(run, "clear", !by_rays, NO_GRID))
                     vsv_clear(&vsv[i]);
                 if (geometric && run_pass(run, "extents", true, NULL)) {
                     triangles_vsv_list(&triangles, &view.mesh, &vsv[i], seen.light);
                     run_skipped(run, triangles.counted.outside, (double)scene->mesh.triangle_count);
                     run_count(run, "items", triangles.counted.items);
                 }
-                if (run_pass(run, "voxels", true, NULL)) {
+                if (run_pass(run, "voxels", !by_rays, NO_GRID)) {
                     if (geometric)
                         triangles_vsv_fill(&triangles, &view.mesh, &vsv[i], seen.light);
                     else
@@ -175,7 +198,7 @@ int main(int argc, char **argv)
             }
             run_step(run, "voxels", picture[VOXELS].texture);
             for (size_t i = 0; i < lights && !brute; i++)
-                if (run_pass(run, "scan", true, NULL))
+                if (run_pass(run, "scan", !by_rays, NO_GRID))
                     vsv_scan(&vsv[i]);
             if (lights > 0 && !brute &&
                 run_pass_common(run, "show scanned", run_step_shown(run, "scanned"),
@@ -194,6 +217,8 @@ int main(int argc, char **argv)
                     if (brute)
                         airlight_add(&march, &view.gbuffer, &camera, scene, seen.light, seen.map,
                                      picture[AIRLIGHT].texture);
+                    else if (by_rays)
+                        draw_rays(run, rays, &vsv[i], &seen, &settings, picture[AIRLIGHT].texture);
                     else
                         query_airlight(&query, &vsv[i], &seen, picture[AIRLIGHT].texture);
                 }
@@ -204,13 +229,29 @@ int main(int argc, char **argv)
                              picture[PICTURE].texture);
             run_step(run, "picture", picture[PICTURE].texture);
             if (run_truth_wanted(run)) {
-                const TruthPhase phase = {settings.phase, (double)scene->medium.mean_cosine,
-                                          (double)settings.rayleigh_share};
-                Image truth = truth_airlight_picture(scene, &camera, width, height, &phase, -1.0f);
+                const float ambient =
+                    run_step_shown(run, "airlight") ? -1.0f : (float)run_number(run, "ambient");
+                Image truth = judge_truth(scene, &camera, width, height, &settings, ambient);
                 run_truth(run, &truth);
                 image_free(&truth);
             }
         }
+        const Camera camera = run_camera(run);
+        const RenderSettings all = {.airlight = settings,
+                                    .volume = size,
+                                    .integral = run_choice(run, "integral"),
+                                    .full = run_chosen(run, "range", "full"),
+                                    .map = run_integer(run, "map")};
+        Image got = raster_target_read(&picture[AIRLIGHT], width, height);
+        if (run_measuring_error(run))
+            judge_errors(run, raster, scene, &camera, &all, &got);
+        else if (run_checking(run))
+            judge_case(run, raster, &camera, &all, &got);
+        image_free(&got);
+
+        rays_close(rays);
+        if (deforming)
+            cell24_end(&moved);
         for (size_t i = 0; i < lights && !brute; i++)
             vsv_close(&vsv[i]);
         free(vsv);

@@ -9,6 +9,7 @@ uniform double first_angle;
 
 // θ is told in single precision here, and only has to be told generously: the wedge itself is cut exactly.
 const float ANGLE_DOUBT = 1e-5, TWO_PI = 6.28318531;
+const double ON_AXIS = DOUBT / ANGLE_DOUBT; // nearer, and the doubt about a corner is more than that about its θ
 
 //[sweep
 // The arc of θ that a triangle covers: from its least angle on, as wide as y. Corners on both sides of θ = 0 are neighbours (the wrap), and a triangle that
@@ -21,7 +22,8 @@ vec2 sweep(dvec3 a, dvec3 b, dvec3 c)
     to_b -= TWO_PI * round(to_b / TWO_PI);
     to_c -= TWO_PI * round(to_c / TWO_PI);
     vec2 ends = vec2(min(0.0, min(to_b, to_c)), max(0.0, max(to_b, to_c)));
-    if (ends.y - ends.x > 0.5 * TWO_PI - 1e-3)
+    dvec3 beside = abs(dvec3(a.x, b.x, c.x)) + abs(dvec3(a.y, b.y, c.y)); // a corner on the axis has every θ
+    if (ends.y - ends.x > 0.5 * TWO_PI - 1e-3 || min(beside.x, min(beside.y, beside.z)) <= ON_AXIS * reach_of(a, b, c))
         return vec2(0.0, TWO_PI);
     return vec2(theta.x + ends.x, ends.y - ends.x);
 }
