@@ -29,9 +29,9 @@ static bool is_dark(const float *bits, int k)
 // The airlight of one ray.
 static float airlight(float distance, float alpha, float from, float to, const float *bits)
 {
-    // Yours: this is as if each ray scattered the same whatever is lit.
+    // Yours: this is the same for every ray, whatever is lit.
     (void)distance, (void)alpha, (void)from, (void)to, (void)is_dark(bits, 0);
-    return 1.0f;
+    return 0.25f / PI;
 }
 
 int main(int argc, char **argv)

@@ -39,9 +39,9 @@ static float airlight(float distance, float alpha, float from, float to, const f
     }
     return 3.0f / (16.0f * PI) * sum / (distance * sinf(alpha));
 #else
-    // Yours: this is as if each ray scattered the same whatever is lit.
+    // Yours: this is the same for every ray, whatever is lit.
     (void)distance, (void)alpha, (void)from, (void)to, (void)is_dark(bits, 0);
-    return 1.0f;
+    return 0.25f / PI;
 #endif
 }
 
