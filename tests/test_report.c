@@ -43,7 +43,9 @@ static void tables_make(void)
     free(path);
     file_put("out/01_a/list.txt", "chapter\t01_a\tLaws & <powers>\n");
     file_put("chapters/01_a/report.txt",
-             "# a comment\nfamily\tlaws\nbrute\tbrute\norder\tfast\tnrmse\t2\norder\tbrute\tnrmse\t9\n");
+             "# a "
+             "comment\nfamily\tlaws\nbrute\tbrute\norder\tfast\tnrmse\t2\norder\tbrute\tnrmse\t9\t-"
+             "\ttruth\norder\tbrute\tnrmse\t1\tbox\tconverged\n");
     file_put("chapters/02_b/report.txt", "family\tlaws\n");
     file_put("out/01_a/status.txt", "failed\tsweep of doom\tstatus 1: no\n");
     file_put("out/01_a/stability.csv",
@@ -186,13 +188,20 @@ Test(report, page_says_what_there_is_and_what_is_not)
 Test(report, a_family_of_two_chapters_shares_its_diagram)
 {
     tables_make();
-    cr_assert_eq(shell("cd $T/out && rm 01_a/plan.csv 01_a/stability.csv 01_a/limits.txt && "
+    cr_assert_eq(shell("cd $T/out && rm 01_a/plan.csv 01_a/stability.csv && "
+                       "echo 'one\tone.exr\tsteps=1' >01_a/limits.txt && mv 01_a/three.exr 02_b && "
+                       "echo 'three\tthree.exr\tsteps=3' >02_b/limits.txt && "
                        "sed '/oracle\\|brute/d; s/01_a/02_b/' 01_a/sweep.csv >02_b/sweep.csv && "
                        "$B/report $T/out $T/chapters 01_a 02_b >$T/log 2>&1"),
                  0, "%s", text_of("log"));
     CsvTable table = table_of("out/family-laws/laws-box-8x8-nrmse.equal_error.csv");
     cr_assert_str_eq(field_where(&table, "technique", "02 fast", "reach"), "bound",
                      "against the other's brute force");
+    csv_table_free(&table);
+    table = table_of("out/family-laws/consistency.csv");
+    const double nrmse = sqrt(4 / 6.0) / (2 / 6.0); // as above, across the two chapters
+    cr_assert_float_eq(atof(field_where(&table, "limit", "02 three", "01 one")), nrmse, 0.005 * nrmse,
+                       "of both");
     csv_table_free(&table);
     cr_assert(strstr(text_of("out/index.html"), "02_b-box-8x8-nrmse: no row of brute force"),
               "alone it has nothing to be compared with, and the page says so");

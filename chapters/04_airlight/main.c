@@ -45,6 +45,11 @@ static const RunStep steps[] = {
     {                                                                                                        \
         method, NULL, "method=" method " steps=" #n, NULL                                                    \
     }
+// Nothing casts, and the light is not before the eye: what orders of convergence are a smooth integrand's.
+#define SMOOTH(method, n)                                                                                    \
+    {                                                                                                        \
+        method, "haze", "method=" method " steps=" #n " light_position=0.5,2,1", NULL                        \
+    }
 // Where a row's error comes from; rows without an oracle are among the others.
 #define ORACLES(method, settings)                                                                            \
     {method, "cornell", "method=" settings " oracle=map", NULL},                                             \
@@ -82,6 +87,14 @@ static const RunRow sweep[] = {
     {"segments", NULL, "method=segments nodes=16", NULL},
     {"segments", NULL, "method=segments nodes=24", NULL},
     {"signed", NULL, "method=segments variant=signed", NULL},
+    SMOOTH("march", 16),
+    SMOOTH("march", 64),
+    SMOOTH("march", 256),
+    SMOOTH("march", 1024),
+    SMOOTH("jittered", 16),
+    SMOOTH("jittered", 64),
+    SMOOTH("jittered", 256),
+    SMOOTH("jittered", 1024),
     ORACLES("march", "march steps=64"),
     ORACLES("equiangular", "equiangular steps=64"),
     ORACLES("factored", "factored steps=64"),

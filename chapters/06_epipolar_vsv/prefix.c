@@ -16,16 +16,20 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
                    size_t map_count, bool interpolated)
 {
     char *spread = vsv_definitions(volume);
-    AirlightSettings with = *settings;
-    with.variant = "intervals"; // the brute force's; of no meaning here
-    with.definitions = spread;
-    with.shader = "06_epipolar_vsv/airlight_prefix.comp";
-    with.number = interpolated;
-    Prefix prefix = {.ask = airlight_open(&with, maps, map_count),
-                     .alpha = volume->alpha,
+    Prefix prefix = {.alpha = volume->alpha,
                      .theta = volume->theta,
                      .phi = volume->phi,
                      .rayleigh_share = settings->rayleigh_share};
+    for (int any = 0; any < 2; any++) {
+        char *definitions = text_format("%s\nRAY_CONE %d\nANY_RAY %d", spread, any, any);
+        AirlightSettings with = *settings;
+        with.variant = "intervals"; // the brute force's; of no meaning here
+        with.definitions = definitions;
+        with.shader = "06_epipolar_vsv/airlight_prefix.comp";
+        with.number = interpolated;
+        prefix.ask[any] = airlight_open(&with, maps, map_count);
+        free(definitions);
+    }
     for (size_t i = 0; i < map_count; i++) {
         const int kind = (int)maps[i].kind;
         if (prefix.weigh[kind])
@@ -39,9 +43,8 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
     free(spread);
     const size_t channels = settings->grey ? 1 : 4, rows = (size_t)volume->alpha * (size_t)volume->theta;
     const GLenum format = settings->grey ? GL_R32F : GL_RGBA32F;
-    prefix.weights =
-        gl_buffer(.label = "weights of phi",
-                  .bytes = channels * (size_t)volume->alpha * (size_t)volume->phi / 8 * sizeof(float));
+    prefix.weights = gl_buffer(.label = "weights of phi", .bytes = channels * (size_t)volume->alpha *
+                                                                   (size_t)volume->phi / 8 * sizeof(float));
     prefix.sums = gl_buffer(.label = "prefix sums",
                             .bytes = channels * rows * (size_t)volume->phi / 32 * sizeof(float));
     prefix.weight_texels = texels_of(prefix.weights, GL_RGBA32F, "weights of phi");
@@ -52,7 +55,8 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
 
 void prefix_close(Prefix *prefix)
 {
-    airlight_close(&prefix->ask);
+    for (int any = 0; any < 2; any++)
+        airlight_close(&prefix->ask[any]);
     for (int i = 0; i < 3; i++) {
         shader_close(prefix->weigh[i]);
         shader_close(prefix->sum[i]);
@@ -97,12 +101,23 @@ void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
     dispatch(shader, prefix->theta, prefix->alpha);
 }
 
-void prefix_airlight(const Prefix *prefix, const Vsv *vsv, const QueryView *view, GLuint picture)
+// Whether every view ray begins at the eye, ends where the grid does, and passes the light outside its radius.
+static bool plain_rays(const Vsv *vsv, const Light *light)
 {
-    const GLenum format = prefix->ask.settings.grey ? GL_R32F : GL_RGBA32F;
-    vsv_bind(vsv, prefix->ask.shader[view->map->kind]);
+    const float least = sinf(vsv->range.alpha_least), most = sinf(vsv->range.alpha_most);
+    const bool outside = vsv->frame.at_infinity || vsv->frame.distance * fminf(least, most) > light->radius;
+    return vsv->whole && outside && light->kind != LIGHT_SPOT;
+}
+
+const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light *light)
+{
+    return &prefix->ask[!plain_rays(vsv, light)];
+}
+
+void prefix_bind(const Prefix *prefix, const Vsv *vsv)
+{
+    const GLenum format = prefix->ask[0].settings.grey ? GL_R32F : GL_RGBA32F;
     gl.BindImageTexture(5, vsv->single, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
     gl.BindImageTexture(6, prefix->sum_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
     gl.BindImageTexture(7, prefix->single_weights, 0, GL_FALSE, 0, GL_READ_ONLY, format);
-    airlight_add(&prefix->ask, view->gbuffer, view->camera, view->scene, view->light, view->map, picture);
 }

@@ -4,10 +4,11 @@
 #ifndef PREFIX_H
 #define PREFIX_H
 
-#include "query.h"
+#include "vsv.h"
 
 typedef struct Prefix {
-    Airlight ask; // the pixels' shader
+    Airlight ask
+        [2]; // the pixels' shader: 0 where every ray begins at the eye, ends in the grid and passes outside the light's radius; 1: any
     Shader *weigh[3], *sum[3]; // by DepthMap.kind
     GLuint weights, weight_texels, single_weights, sums, sum_texels;
     int alpha, theta, phi; // voxels
@@ -23,7 +24,8 @@ bool prefix_can(const Vsv *vsv, const Light *light);
 // From a scanned volume: weights, then sums.
 void prefix_weigh(const Prefix *prefix, const Vsv *vsv, const QueryView *view);
 void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view);
-// Add the light's airlight, W/(sr·m²).
-void prefix_airlight(const Prefix *prefix, const Vsv *vsv, const QueryView *view, GLuint picture);
+// What draws a light's airlight then, and what it reads.
+const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light *light);
+void prefix_bind(const Prefix *prefix, const Vsv *vsv);
 
 #endif

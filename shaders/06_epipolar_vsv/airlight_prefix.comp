@@ -13,6 +13,7 @@ layout(binding = 6, rgba32f) readonly uniform imageBuffer prefixes;
 layout(binding = 7, rgba32f) readonly uniform imageBuffer weights;
 #endif
 
+// ANY_RAY 0: every ray begins at the eye, ends in the grid and passes outside the light's radius. This renderer computes both sides of an if.
 #define NEAREST 0
 #define LINEAR 1
 #if METHOD == LINEAR
@@ -75,19 +76,16 @@ Weight reached(Corners corners, float phi)
 }
 //]
 
-#if MAP_KIND != DIRECTIONAL
+#if ANY_RAY && MAP_KIND != DIRECTIONAL
 //[inverse_distance
-// 1/D; for a ray through the light's radius, where the inverse square is held, what stands for it: ∫ dt / max(r, r0)² over Δφ. A loop, since only that ends early.
+// 1/D; for a ray through the light's radius, where the inverse square is held, what stands for it: ∫ dt / max(r, r0)² over Δφ.
 float inverse_distance(Ray ray, float turned)
 {
-    float inverse = 1.0 / ray.nearest;
-    for (bool held = ray.nearest < light_radius; held; held = false) {
-        float half_chord = sqrt(max(light_radius - ray.nearest, 0.0)) * sqrt(light_radius + ray.nearest);
-        float a = clamp(ray.from - ray.foot, -half_chord, half_chord), b = clamp(ray.to - ray.foot, -half_chord, half_chord);
-        float inside = atan(ray.nearest * (b - a), ray.nearest * ray.nearest + a * b);
-        inverse = ((b - a) / light_radius / light_radius + max(turned - inside, 0.0) / ray.nearest) / max(turned, 1e-30);
-    }
-    return inverse;
+    float half_chord = sqrt(max(light_radius - ray.nearest, 0.0)) * sqrt(light_radius + ray.nearest);
+    float a = clamp(ray.from - ray.foot, -half_chord, half_chord), b = clamp(ray.to - ray.foot, -half_chord, half_chord);
+    float inside = atan(ray.nearest * (b - a), ray.nearest * ray.nearest + a * b);
+    float held = ((b - a) / light_radius / light_radius + max(turned - inside, 0.0) / ray.nearest) / max(turned, 1e-30);
+    return ray.nearest < light_radius ? held : 1.0 / ray.nearest;
 }
 //]
 #endif
@@ -100,20 +98,22 @@ void main()
         return;
     vec3 epipolar = to_epipolar(ray.direction);
     vec2 alpha = vec2(length(cross(epipolar_axis, ray.direction)), dot(epipolar_axis, ray.direction));
-    float phi = epipolar_phi(alpha, min(ray.to, AIRLIGHT_FAR)), turned = phi;
+    float phi = epipolar_phi(alpha, ray.to), turned = phi;
     Corners corners = corners_of(vec2(epipolar_alpha_place(epipolar.x), epipolar_theta_place(epipolar.y)));
     Weight sum = reached(corners, phi);
-    for (bool cut = ray.from > 0.0; cut; cut = false) { // a cone's border; no other ray begins behind the eye
-        float from = epipolar_phi(alpha, ray.from);
-        sum -= reached(corners, from);
-        turned -= from;
-    }
-#if MAP_KIND != DIRECTIONAL
-    sum *= inverse_distance(ray, turned);
+    vec3 rest = vec3(0.0);
+#if ANY_RAY
+    float from = ray.from > 0.0 ? epipolar_phi(alpha, ray.from) : 0.0; // a cone's border
+    sum -= reached(corners, from);
+    turned -= from;
+    // No occluder reaches beyond the grid: there all is lit.
+    float most = epipolar_least.z + epipolar_span.z, border = clamp(epipolar_along(alpha, most), ray.from, ray.to);
+    rest = stretch(ray, phi > most * (1.0 + 1e-5) ? border : ray.to, ray.to);
 #endif
-    vec3 rest = vec3(0.0); // no occluder reaches beyond the grid: there all is lit
-    float most = epipolar_least.z + epipolar_span.z;
-    for (bool beyond = phi > most * (1.0 + 1e-3); beyond; beyond = false)
-        rest = stretch(ray, clamp(epipolar_along(alpha, most), ray.from, ray.to), ray.to);
+#if ANY_RAY && MAP_KIND != DIRECTIONAL
+    sum *= inverse_distance(ray, turned);
+#elif MAP_KIND != DIRECTIONAL
+    sum /= ray.nearest;
+#endif
     ray_store(pixel, ray, vec3(sum) + rest, 3u * uint(CORNERS));
 }

@@ -48,7 +48,7 @@ static void chapter_write(FILE *page, Chapter *chapter)
     if (chapter->row_count)
         orders_write(page, chapter);
     budget_write(page, chapter);
-    consistency_write(page, chapter);
+    consistency_write(page, chapter->folder, (const Chapter *const[]){chapter}, 1);
     stability_write(page, chapter);
     plans_write(page, chapter);
 }
@@ -59,7 +59,7 @@ static void family_write(FILE *page, const char *out, const char *family, const 
 {
     SweepRow *rows = NULL;
     size_t row_count = 0, of = 0;
-    const Chapter *last = NULL;
+    const Chapter *last = NULL, **members = memory_new(count, sizeof *members, "a family's chapters");
     for (size_t i = 0; i < count; i++) {
         if (!chapter_tells(&chapters[i], "family", family, false) || !chapters[i].row_count)
             continue;
@@ -69,7 +69,7 @@ static void family_write(FILE *page, const char *out, const char *family, const 
             *row = chapters[i].rows[k];
             row->curve = text_format("%.2s %s", chapters[i].name, row->curve);
         }
-        of++;
+        members[of++] = &chapters[i];
         last = &chapters[i];
     }
     if (of > 1) {
@@ -79,6 +79,7 @@ static void family_write(FILE *page, const char *out, const char *family, const 
         page_format(page, "All techniques: %s", family);
         fputs("</h2>\n", page);
         diagrams_write(page, folder, family, rows, row_count, &last->machine);
+        consistency_write(page, folder, members, of);
         free(folder);
     } else if (of == 1) {
         fputs("<p class=\"quiet\">", page);
@@ -89,6 +90,7 @@ static void family_write(FILE *page, const char *out, const char *family, const 
     for (size_t k = 0; k < row_count; k++)
         free(rows[k].curve);
     free(rows);
+    free(members);
 }
 
 int main(int argc, char **argv)

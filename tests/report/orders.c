@@ -38,16 +38,20 @@ static char *what_varies(const SweepRow **rows, size_t count)
     return only;
 }
 
-// The chapter's line: order TECHNIQUE METRIC EXPECTED [SCENE]; the one with the scene wins.
+// The chapter's line: order TECHNIQUE METRIC EXPECTED [SCENE [REFERENCE]], "-" for any scene; the one with the scene wins.
 static const char *expected_of(const Chapter *chapter, const SweepRow *row)
 {
     const char *expected = NULL;
+    bool of_scene = false;
     for (size_t i = 0; i < chapter->told.count; i++) {
         const char *const *f = chapter->told.lines[i].fields;
-        bool scene = strcmp(f[4], row->scene) == 0;
-        if (!strcmp(f[0], "order") && !strcmp(f[1], row->technique) && !strcmp(f[2], row->metric) &&
-            (scene || (!*f[4] && !expected)))
+        const bool scene = strcmp(f[4], row->scene) == 0, any = !*f[4] || strcmp(f[4], "-") == 0;
+        if (strcmp(f[0], "order") || strcmp(f[1], row->technique) || strcmp(f[2], row->metric) ||
+            (*f[5] && strcmp(f[5], row->reference)))
+            continue;
+        if (scene || (any && !of_scene))
             expected = f[3];
+        of_scene = of_scene || scene;
     }
     return expected;
 }

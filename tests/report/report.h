@@ -72,7 +72,8 @@ void stability_write(FILE *page, const Chapter *chapter);
 void plans_write(FILE *page, const Chapter *chapter);
 void status_write(FILE *page, const Chapter *chapter);
 void budget_write(FILE *page, const Chapter *chapter);
-void consistency_write(FILE *page, const Chapter *chapter);
+// All pairs of the chapters' pictures at their limits, into the folder.
+void consistency_write(FILE *page, const char *folder, const Chapter *const *chapters, size_t count);
 
 void page_begin(FILE *page);
 void page_end(FILE *page);

@@ -162,44 +162,72 @@ void budget_write(FILE *page, const Chapter *chapter)
     free(group);
 }
 
-void consistency_write(FILE *page, const Chapter *chapter)
+// A picture at a limit, and what its line and column are called.
+typedef struct Limit {
+    Image image;
+    char *name;
+    const char *options;
+} Limit;
+
+static size_t limits_read(const Chapter *const *chapters, size_t count, Limit *limits)
 {
-    size_t count = chapter->limits.count;
-    if (!count)
+    size_t read = 0;
+    for (size_t c = 0; c < count; c++)
+        for (size_t i = 0; i < chapters[c]->limits.count; i++) {
+            const char *const *fields = chapters[c]->limits.lines[i].fields;
+            char *path = text_format("%s/%s", chapters[c]->folder, fields[1]);
+            limits[read++] = (Limit){image_read(path),
+                                     count > 1 ? text_format("%.2s %s", chapters[c]->name, fields[0])
+                                               : text_format("%s", fields[0]),
+                                     fields[2]};
+            free(path);
+        }
+    return read;
+}
+
+static char *distance_text(const Image *a, const Image *b)
+{
+    if (a->width != b->width || a->height != b->height || a->channels != b->channels)
+        return text_format("another size");
+    return text_format("%.3g", image_compare(a, b).nrmse);
+}
+
+void consistency_write(FILE *page, const char *folder, const Chapter *const *chapters, size_t count)
+{
+    size_t most = 0;
+    for (size_t c = 0; c < count; c++)
+        most += chapters[c]->limits.count;
+    if (!most)
         return;
     fputs("<h3>At their limits</h3>\n<p class=\"quiet\">nrmse of each line's picture against each column's; "
           "all should tend to the same "
           "picture.</p>\n",
           page);
+    Limit *limits = memory_new(most, sizeof *limits, "limits");
+    const size_t all = limits_read(chapters, count, limits);
     char *header = text_format("limit,options");
-    Image *images = memory_new(count, sizeof *images, "limits");
-    for (size_t i = 0; i < count; i++) {
-        char *path = text_format("%s/%s", chapter->folder, chapter->limits.lines[i].fields[1]);
-        images[i] = image_read(path);
-        free(path);
-        char *longer = text_format("%s,%s", header, chapter->limits.lines[i].fields[0]);
+    for (size_t i = 0; i < all; i++) {
+        char *longer = text_format("%s,%s", header, limits[i].name);
         free(header);
         header = longer;
     }
-    Table table = table_begin(page, chapter->folder, "consistency", &chapter->machine, header);
-    char **fields = memory_new(count + 2, sizeof *fields, "limits");
-    for (size_t i = 0; i < count; i++) {
-        fields[0] = text_format("%s", chapter->limits.lines[i].fields[0]);
-        fields[1] = text_format("%s", chapter->limits.lines[i].fields[2]);
-        for (size_t k = 0; k < count; k++) {
-            bool alike = images[i].width == images[k].width && images[i].height == images[k].height &&
-                         images[i].channels == images[k].channels;
-            fields[2 + k] = alike ? text_format("%.3g", image_compare(&images[i], &images[k]).nrmse)
-                                  : text_format("another size");
-        }
-        table_row(&table, (const char *const *)fields);
-        for (size_t k = 0; k < count + 2; k++)
-            free(fields[k]);
+    Table table = table_begin(page, folder, "consistency", &chapters[0]->machine, header);
+    const char **fields = memory_new(all + 2, sizeof *fields, "limits");
+    for (size_t i = 0; i < all; i++) {
+        fields[0] = limits[i].name;
+        fields[1] = limits[i].options;
+        for (size_t k = 0; k < all; k++)
+            fields[2 + k] = distance_text(&limits[i].image, &limits[k].image);
+        table_row(&table, fields);
+        for (size_t k = 0; k < all; k++)
+            free((char *)fields[2 + k]);
     }
     table_end(&table);
-    for (size_t i = 0; i < count; i++)
-        image_free(&images[i]);
+    for (size_t i = 0; i < all; i++) {
+        image_free(&limits[i].image);
+        free(limits[i].name);
+    }
     free(fields);
-    free(images);
+    free(limits);
     free(header);
 }

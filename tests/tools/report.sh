@@ -9,9 +9,10 @@
 #   brute   TECHNIQUE                             what every other is compared with
 #   metric  NAME                                  metrics to draw (default: all)
 #   same    KEY                                   a setting that poses another problem: techniques are compared at equal values of it only
-#   order   TECHNIQUE METRIC EXPECTED [SCENE]     the order that theory expects
+#   order   TECHNIQUE METRIC EXPECTED [SCENE [REFERENCE]]   the order that theory expects; SCENE -: any
 #   plan    OPTIONS                               a plan beside that of each default scene
-#   limit   NAME OPTIONS                          a technique at its limit: all pairs of these pictures are compared (no comma in NAME)
+#   limit   NAME OPTIONS                          a technique at its limit: all pairs of these pictures are compared (no comma in NAME), and with those of
+#                                                 the family's other chapters
 set -u -f
 build=$1 out=$2 chapters=$3
 shift 3
