@@ -64,11 +64,13 @@ Weight reached(Corners corners, float phi)
     float start = float(32 * word), into = place - start; // 0 … 32 bits of the last word
     int whole = min(int(into), 31), byte = 4 * word + (whole >> 4); // the byte in the middle of them
     float part = into - float(whole);                               // of bit number `whole`
+    // A voxel stands for its middle: where that lies beyond the end, perhaps inside what ends the ray, the one before speaks for the part.
+    int speaks = part < 0.5 ? max(whole - 1, 0) : whole;
     uint before = (1u << whole) - 1u;
     Weight sum = Weight(0.0);
     for (int k = 0; k < CORNERS; k++) {
         uint bits = ~imageLoad(words, corners.row[k] + word).x;
-        float lit = float(bitCount(bits & before)) + part * float((bits >> whole) & 1u);
+        float lit = float(bitCount(bits & before)) + part * float((bits >> speaks) & 1u);
         sum += corners.share[k] * (weight_load(imageLoad(prefixes, corners.row[k] + word)) +
                                    0.125 * lit * weight_load(imageLoad(weights, corners.alpha[k] * (epipolar_count.z / 8) + byte)));
     }
