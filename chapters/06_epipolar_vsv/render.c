@@ -11,8 +11,10 @@ void render_volume(Vsv *vsv, const Query *query, const QueryView *view, bool ful
         full ? epipolar_range_full(size->alpha, size->theta, size->phi)
              : epipolar_range_seen(&frame, view->camera, aspect, size->alpha, size->theta, size->phi);
     vsv_aim(vsv, &frame, &range, view->camera, seen->width, seen->height);
-    if (!full || frame.at_infinity) // a directional light's φ has no largest that needs no picture
-        query_range(query, vsv, view, scratch);
+    if (!query_range(query, vsv, view, !full, scratch)) {
+        vsv_light_all(vsv);
+        return;
+    }
     vsv_clear(vsv);
     vsv_voxelize_map(vsv, view->light, view->map);
     vsv_scan(vsv);
@@ -24,7 +26,7 @@ Image render_picture(const Raster *raster, const Scene *scene, const Camera *cam
     RasterView view = raster_view_open(raster, scene, width, height, settings->map);
     RasterTarget target = raster_target_open("airlight to compare with", width, height);
     Query query =
-        query_open(&settings->airlight, &settings->volume, settings->integral, view.maps, scene->light_count);
+        query_open(&settings->asked, &settings->airlight, &settings->volume, view.maps, scene->light_count);
     raster_view_draw_maps(&view);
     raster_gbuffer_draw(raster, &view.gbuffer, camera, &view.mesh);
     for (size_t i = 0; i < scene->light_count; i++) {

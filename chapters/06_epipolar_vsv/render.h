@@ -7,9 +7,9 @@
 typedef struct RenderSettings {
     AirlightSettings airlight;
     VsvSettings volume;
-    const char *integral; // as query_open
-    bool full;            // all angles, not only those that the picture shows
-    int map;              // texels a side
+    QuerySettings asked;
+    bool full; // all angles, not only those that the picture shows
+    int map;   // texels a side
 } RenderSettings;
 
 // One light's volume: aimed, its range found, voxelized from its map and scanned. `scratch`: a picture of the view's size, not changed.
