@@ -243,6 +243,16 @@ Test(tools, listings_are_cut_and_tables_are_read)
     free(script);
 }
 
+Test(tools, tables_are_cut_by_patterns)
+{
+    char *script = lesson_script("sed -i 's/settings.n=64/error~^7/' $R; $L write $R; cat $R; "
+                                 "sed -i 's/error~^7/name~exact settings.n!~^3/' $R; $L write $R; cat $R");
+    cr_assert_eq(shell(script), 0, "%s", printed);
+    says("|---|---|---|\n| exact | 32 | 7 |\n\n");
+    says("|---|---|---|\n| exact | 64 | 0.123 |\n\n");
+    free(script);
+}
+
 Test(tools, a_listing_that_cannot_be_cut_is_an_error)
 {
     char *script = lesson_script("sed -i 's/\\[piece/[other/' shaders/s.glsl; $L write $R");
