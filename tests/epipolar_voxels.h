@@ -114,33 +114,68 @@ static inline double voxels_border(const VoxelBench *bench, int coordinate, int 
     return (double)r->phi_least + ((double)r->phi_most - (double)r->phi_least) * (bench->squared ? u * u : u);
 }
 
-// A point as (x, y, z): x along θ = 0, y along θ = π/2, z towards the light; axes in double, from the eye and the light themselves.
+// The axes θ = 0, θ = π/2 and towards the light, in double, from the eye and the light themselves. Returns how far the light is.
+static inline double voxels_axes(const VoxelBench *bench, double axes[3][3])
+{
+    double length = 0.0, along = 0.0, up_length = 0.0;
+    for (int k = 0; k < 3; k++) {
+        axes[2][k] = bench->frame.at_infinity
+                         ? -(double)bench->light.direction[k]
+                         : (double)bench->light.position[k] - (double)bench->camera.eye[k];
+        length += axes[2][k] * axes[2][k];
+    }
+    const double distance = sqrt(length);
+    for (int k = 0; k < 3; k++) {
+        axes[2][k] = distance > 0.0 ? axes[2][k] / distance : (double)bench->frame.axis[k];
+        along += axes[2][k] * (double)bench->frame.up[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        axes[0][k] = (double)bench->frame.up[k] - along * axes[2][k];
+        up_length += axes[0][k] * axes[0][k];
+    }
+    for (int k = 0; k < 3; k++)
+        axes[0][k] /= sqrt(up_length);
+    for (int k = 0; k < 3; k++)
+        axes[1][k] =
+            axes[2][(k + 1) % 3] * axes[0][(k + 2) % 3] - axes[2][(k + 2) % 3] * axes[0][(k + 1) % 3];
+    return bench->frame.at_infinity ? INFINITY : distance;
+}
+
+// A point as (x, y, z) along these axes.
 static inline void voxels_local(const VoxelBench *bench, const double point[3], double out[3],
                                 double *distance)
 {
-    double axis[3], up[3], side[3], p[3], length = 0.0, along = 0.0, up_length = 0.0;
-    for (int k = 0; k < 3; k++) {
-        axis[k] = bench->frame.at_infinity ? -(double)bench->light.direction[k]
-                                           : (double)bench->light.position[k] - (double)bench->camera.eye[k];
-        length += axis[k] * axis[k];
-        p[k] = point[k] - (double)bench->camera.eye[k];
+    double axes[3][3];
+    *distance = voxels_axes(bench, axes);
+    for (int a = 0; a < 3; a++) {
+        out[a] = 0.0;
+        for (int k = 0; k < 3; k++)
+            out[a] += axes[a][k] * (point[k] - (double)bench->camera.eye[k]);
     }
-    *distance = bench->frame.at_infinity ? INFINITY : sqrt(length);
+}
+
+// The point at `place` voxels along α, θ, φ (the law of sines); false where view ray and light ray do not meet.
+static inline bool voxels_point(const VoxelBench *bench, const double place[3], double point[3])
+{
+    double angle[3], axes[3][3];
     for (int k = 0; k < 3; k++) {
-        axis[k] /= sqrt(length);
-        along += axis[k] * (double)bench->frame.up[k];
+        const int i = (int)place[k];
+        const double from = voxels_border(bench, k, i);
+        angle[k] = from + (place[k] - i) * (voxels_border(bench, k, i + 1) - from);
     }
-    for (int k = 0; k < 3; k++) {
-        up[k] = (double)bench->frame.up[k] - along * axis[k];
-        up_length += up[k] * up[k];
+    const double distance = voxels_axes(bench, axes);
+    double beside = angle[2], forward = beside / tan(angle[0]);
+    if (!bench->frame.at_infinity) {
+        if (angle[0] + angle[2] >= M_PI)
+            return false; // beyond infinity
+        const double way = distance * sin(angle[2]) / sin(angle[0] + angle[2]);
+        beside = way * sin(angle[0]);
+        forward = way * cos(angle[0]);
     }
     for (int k = 0; k < 3; k++)
-        up[k] /= sqrt(up_length);
-    for (int k = 0; k < 3; k++)
-        side[k] = axis[(k + 1) % 3] * up[(k + 2) % 3] - axis[(k + 2) % 3] * up[(k + 1) % 3];
-    const double *to[3] = {up, side, axis};
-    for (int k = 0; k < 3; k++)
-        out[k] = to[k][0] * p[0] + to[k][1] * p[1] + to[k][2] * p[2];
+        point[k] = (double)bench->camera.eye[k] + forward * axes[2][k] +
+                   beside * (cos(angle[1]) * axes[0][k] + sin(angle[1]) * axes[1][k]);
+    return true;
 }
 
 // The point's coordinates in voxels (the integer part is the voxel).

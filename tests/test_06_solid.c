@@ -1,60 +1,20 @@
 // 06 solid voxelization in epipolar space: a voxel is set where its middle is inside.
 #include "epipolar_voxels.h"
 
-// The middle of a voxel as a point in space.
-static bool voxel_middle(const VoxelBench *bench, const int v[3], double point[3])
-{
-    double angle[3], axis[3], length = 0.0, along = 0.0, up[3], side[3], up_length = 0.0;
-    for (int k = 0; k < 3; k++)
-        angle[k] = 0.5 * (voxels_border(bench, k, v[k]) + voxels_border(bench, k, v[k] + 1));
-    for (int k = 0; k < 3; k++) {
-        axis[k] = bench->frame.at_infinity ? -(double)bench->light.direction[k]
-                                           : (double)bench->light.position[k] - (double)bench->camera.eye[k];
-        length += axis[k] * axis[k];
-    }
-    length = sqrt(length);
-    for (int k = 0; k < 3; k++) {
-        axis[k] /= length;
-        along += axis[k] * (double)bench->frame.up[k];
-    }
-    for (int k = 0; k < 3; k++) {
-        up[k] = (double)bench->frame.up[k] - along * axis[k];
-        up_length += up[k] * up[k];
-    }
-    for (int k = 0; k < 3; k++)
-        up[k] /= sqrt(up_length);
-    for (int k = 0; k < 3; k++)
-        side[k] = axis[(k + 1) % 3] * up[(k + 2) % 3] - axis[(k + 2) % 3] * up[(k + 1) % 3];
-    double beside, forward;
-    if (bench->frame.at_infinity) {
-        beside = angle[2];
-        forward = beside / tan(angle[0]);
-    } else {
-        if (angle[0] + angle[2] >= M_PI)
-            return false;                                                     // beyond infinity
-        const double way = length * sin(angle[2]) / sin(angle[0] + angle[2]); // law of sines
-        beside = way * sin(angle[0]);
-        forward = way * cos(angle[0]);
-    }
-    for (int k = 0; k < 3; k++)
-        point[k] = (double)bench->camera.eye[k] + forward * axis[k] +
-                   beside * (cos(angle[1]) * up[k] + sin(angle[1]) * side[k]);
-    return true;
-}
-
 // Every voxel of a box's interior and no other; those whose middle is within 1e-6 of the surface may be either.
 static void check_box(VoxelBench *bench, vec3 lower, vec3 upper, const char *what)
 {
     mesh_add_box(&bench->scene.mesh, lower, upper, 0);
     cr_assert_eq(triangles_open_edges(&bench->scene.mesh), (size_t)0);
-    voxels_fill(bench, &(TrianglesSettings){.solid = true});
+    voxels_fill(bench, &(TrianglesSettings){.method = "solid"});
     size_t inside = 0, wrong = 0, beyond = 0;
     for (int i = 0; i < bench->range.alpha; i++)
         for (int j = 0; j < bench->range.theta; j++)
             for (int k = 0; k < bench->range.phi; k++) {
                 const int v[3] = {i, j, k};
+                const double middle[3] = {i + 0.5, j + 0.5, k + 0.5};
                 double p[3], depth = INFINITY;
-                if (!voxel_middle(bench, v, p)) {
+                if (!voxels_point(bench, middle, p)) {
                     beyond += voxels_get(bench, v);
                     continue;
                 }

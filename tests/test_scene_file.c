@@ -165,8 +165,9 @@ SAYS(no_area, DATA "without_area.obj", 1,
 SAYS(too_large, DATA "largest.gltf", 1,
      DATA "largest.gltf: refused: it is 3.40282e+38 m wide; sizes from 1e-18 to 1e18 m can be worked with")
 SAYS(unknown_name, "sponza", 2,
-     "--scene: no scene is named 'sponza'; there are bunny, cornell, colonnade, fence, office, empty, "
-     "slivers, huge, tiny, degenerate, "
+     "--scene: no scene is named 'sponza'; there are bunny, cornell, colonnade, fence, toroid, forest, "
+     "office, "
+     "empty, slivers, huge, tiny, degenerate, "
      "planar, or a model file (a path with a '.' or '/')")
 SAYS(texture_is_noted, DATA "textured.gltf", 0,
      "note: " DATA

@@ -2,225 +2,221 @@
 // axes run along both.
 //
 // You should see the scene in clear air; then the grid laid flat, its voxels where surfaces begin to cast shadow; then scanned, with all that lies behind them;
-// how much of each view ray is in shadow; the light that the medium scatters; and the picture.
+// how much of each view ray is in shadow; surfaces lit by their voxels; the light that the medium scatters; and the picture.
 // Source: Wyman, "Voxelized shadow volumes" (2011).
-#include "query.h"
-#include "run.h"
-#include "triangles_vsv.h"
-#include "truth.h"
+#include "about.h"
+#include "cell24.h"
+#include "judge.h"
+#include "technique.h"
 
-#include <stdlib.h>
+#include <string.h>
 
-static const char *const scenes[] = {"colonnade", "fence", "bunny", "cornell", NULL};
+// why passes are left out
+static const char *const SAME_VIEW = "eye, lights and scene are the last frame's";
+static const char *const NOT_SHOWN = "another picture is shown";
+static const char *const NO_LIGHT = "the scene has no light";
+static const char *const NO_CASTER = "nothing can cast a shadow into the view";
+static const char *const NO_EXTINCTION = "the medium takes no light away";
+static const char *const NO_SCATTERING = "the medium scatters nothing";
+static const char *const NO_VOLUME = "the method builds no volume";
 
-// clang-format off
-static const RunParameter parameters[] = {
-    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative solid march equiangular segments", .shows = "how voxels are found; or the same picture by brute force on the map"},
-    {.name = "alpha", .kind = RUN_INTEGER, .least = 1, .most = 4096, .initial = {512}, .unit = "voxels", .shows = "view rays in a slice"},
-    {.name = "theta", .kind = RUN_INTEGER, .least = 1, .most = 8192, .initial = {1024}, .unit = "voxels", .shows = "slices about the line from eye to light"},
-    {.name = "phi", .kind = RUN_CHOICE, .choices = "512 128 256 1024", .shows = "light rays in a slice"},
-    {.name = "warp", .kind = RUN_CHOICE, .choices = "even square", .shows = "how light rays are spread over a slice"},
-    {.name = "slices", .kind = RUN_CHOICE, .choices = "uniform pixel", .shows = "slices at equal angles, or at most a pixel apart"},
-    {.name = "range", .kind = RUN_CHOICE, .choices = "seen full", .shows = "what the grid covers: what the picture shows, or all angles"},
-    {.name = "scan", .kind = RUN_CHOICE, .choices = "columns", .shows = "how the shadow behind a voxel is found"},
-    {.name = "integral", .kind = RUN_CHOICE, .choices = "runs", .shows = "airlight from bits: closed forms of lit runs"},
-    {.name = "steps", .kind = RUN_INTEGER, .least = 1, .most = 16384, .initial = {64}, .unit = "samples", .shows = "march, equiangular: samples a ray"},
-    {.name = "phase", .kind = RUN_CHOICE, .choices = "uniform rayleigh henyey_greenstein hoffman_preetham hoffman_preetham_normalized", .shows = "how scattered light is shared out; mean_cosine is g"},
-    {.name = "rayleigh_share", .kind = RUN_NUMBER, .least = 0, .most = 1, .initial = {0.3}, .shows = "Hoffman and Preetham: Rayleigh's share of the scattering"},
-    {.name = "map", .kind = RUN_INTEGER, .least = 16, .most = 8192, .initial = {1024}, .unit = "texels", .shows = "a side of the depth maps"},
-    {.name = "ambient", .kind = RUN_NUMBER, .least = 0, .most = 1e6, .initial = {0.05}, .unit = "W/(sr·m²)", .shows = "light on every surface, times its albedo"},
-    {.name = NULL},
-};
-// clang-format on
-
-static const RunStep steps[] = {
-    {"map", "the scene in clear air, lit through the light's depth map"},
-    {"voxels", "the grid laid flat, α to the right, θ upwards: where surfaces begin to cast shadow"},
-    {"scanned", "and all that lies behind them on their light rays"},
-    {"counts", "how much of each view ray is in shadow"},
-    {"airlight", "the light that the medium scatters towards the eye"},
-    {"picture", "and the surfaces behind it"},
-    {NULL, NULL},
-};
-
-static const RunRow sweep[] = {
-    {"map", NULL, "method=map theta=512", NULL},
-    {"map", NULL, "method=map", NULL},
-    {"equiangular", NULL, "method=equiangular steps=64", NULL},
-    {"equiangular", NULL, "method=equiangular steps=256", NULL},
-    {NULL, NULL, NULL, NULL},
-};
-static const RunRow cases[] = {
-    {NULL, NULL, NULL, NULL},
-};
-
-static const RunAbout about = {
-    .chapter = "06_epipolar_vsv",
-    .title = "Epipolar voxelized shadow volumes",
-    .shows = "shadows in a medium from bits in a grid whose axes run along light rays and view rays",
-    .source = "Wyman 2011",
-    .uses = RUN_USES_CAMERA | RUN_USES_LIGHT | RUN_USES_MEDIUM,
-    .scenes = scenes,
-    .parameters = parameters,
-    .steps = steps,
-    .sweep = sweep,
-    .stability = cases,
-};
-
-enum { CLEAR, VOXELS, SCANNED, COUNTS, AIRLIGHT, PICTURE, PICTURES }; // in the order of `steps`
-
-static void draw_counts(const Query *query, const Vsv *vsv, const QueryView *view, const RasterTarget *target)
+static uint64_t hash_vec3(uint64_t hash, vec3 v)
 {
-    raster_target_clear(target);
-    query_counts(query, vsv, view, target->texture);
+    return hash_bytes(hash, &v, 3 * sizeof(float));
+}
+static uint64_t hash_view(const Scene *scene, Camera c)
+{
+    uint64_t hash = hash_vec3(hash_vec3(hash_vec3(HASH_START, c.eye), c.target), c.up);
+    for (size_t i = 0; i < scene->light_count; i++)
+        hash = hash_vec3(hash_vec3(hash, scene->lights[i].position), scene->lights[i].direction);
+    return hash;
+}
+
+static TechniqueNeeds needs_of(const Run *run, const Scene *scene, size_t light, const Camera *camera,
+                               bool changed, bool asked)
+{
+    const bool casts = raster_can_shadow(scene, &scene->lights[light], camera, run_aspect(run));
+    return (TechniqueNeeds){.changed = changed,
+                            .casts = asked && casts,
+                            .why_not = !changed ? SAME_VIEW
+                                       : casts  ? NO_SCATTERING
+                                                : NO_CASTER};
+}
+
+// Surfaces through the medium: what each light gives them is dimmed on both its ways.
+static void draw_attenuated(const AirlightHaze *haze, const RasterView *view, const Camera *camera,
+                            float ambient, const RasterTarget *one_light, const RasterTarget *into)
+{
+    const Scene *scene = view->scene;
+    raster_target_clear(into);
+    raster_light_begin(view->raster, &view->gbuffer, one_light->texture, ambient);
+    airlight_haze_attenuate(haze, &view->gbuffer, camera, scene, NULL, one_light->texture, into->texture);
+    for (size_t i = 0; i < scene->light_count; i++) {
+        raster_target_clear(one_light);
+        raster_light_add(view->raster, &view->gbuffer, camera, &scene->lights[i], &view->maps[i],
+                         one_light->texture);
+        airlight_haze_attenuate(haze, &view->gbuffer, camera, scene, &scene->lights[i], one_light->texture,
+                                into->texture);
+    }
 }
 
 int main(int argc, char **argv)
 {
-    Run *run = run_open(&about, argc, argv);
+    Run *run = run_open(&epipolar_about, argc, argv);
     Raster *raster = raster_open();
     AirlightHaze haze = airlight_haze_open();
     Shader *flat = shader_open("the grid laid flat", NULL, "06_epipolar_vsv/show.comp");
     while (run_setting(run)) {
-        const Scene *scene = run_scene(run);
+        // What moves is a copy; all else is the scene itself.
+        const bool deforming = run_deforming(run);
+        if (deforming && strcmp(run_scene(run)->name, "cell24") != 0)
+            fail_request("--path deform: scene %s keeps its shape; cell24 changes it", run_scene(run)->name);
+        Scene moved = deforming ? cell24_begin(run_scene(run)) : (Scene){0};
+        const Scene *scene = deforming ? &moved : run_scene(run);
         const int width = run_width(run), height = run_height(run);
-        const vec3 extinction = scene->medium.scattering + scene->medium.absorption;
         const size_t lights = scene->light_count;
-        const bool geometric = triangles_method(run_choice(run, "method"));
-        const bool brute = !geometric && !run_chosen(run, "method", "map");
-        const AirlightSettings settings = {.method = brute ? run_choice(run, "method") : "march",
-                                           .variant = "intervals",
-                                           .phase = run_choice(run, "phase"),
-                                           .steps = run_integer(run, "steps"),
-                                           .nodes = 16,
-                                           .rayleigh_share = (float)run_number(run, "rayleigh_share"),
-                                           .seed = (uint32_t)run_seed(run),
-                                           .shadowed = true,
-                                           .grey = extinction[0] == extinction[1] &&
-                                                   extinction[1] == extinction[2],
-                                           .count = !run_measuring_error(run)};
-        const VsvSettings size = {.alpha = run_integer(run, "alpha"),
-                                  .theta = run_integer(run, "theta"),
-                                  .phi = atoi(run_choice(run, "phi")),
-                                  .scan = run_choice(run, "scan"),
-                                  .warp = run_choice(run, "warp"),
-                                  .slices = run_choice(run, "slices")};
+        const bool pictures = run_picture_needed(run);
+        const bool scatters = vec3_length(scene->medium.scattering) > 0.0f;
+        const bool extinguishes = vec3_length(scene->medium.scattering + scene->medium.absorption) > 0.0f;
+        const float ambient = (float)run_number(run, "ambient");
+        if (!extinguishes && strpbrk(scene->name, "./"))
+            note("scene %s has no medium; --set scattering=0.05,0.05,0.05 gives it one", scene->name);
         RasterView view = raster_view_open(raster, scene, width, height, run_integer(run, "map"));
-        Airlight march = {0};
-        Query query = {0};
-        Triangles triangles = {0};
-        if (geometric) {
-            triangles = triangles_open(&(TrianglesSettings){.solid = run_chosen(run, "method", "solid")});
-            if (triangles.settings.solid)
-                triangles_need_closed(scene);
-        }
-        Vsv *vsv = memory_new(lights + 1, sizeof *vsv, "volumes");
-        if (brute)
-            march = airlight_open(&settings, view.maps, lights);
-        else
-            query = query_open(&settings, &size, run_choice(run, "integral"), view.maps, lights);
-        for (size_t i = 0; i < lights && !brute; i++)
-            vsv[i] = vsv_open(&size, &view.maps[i]);
-        RasterTarget picture[PICTURES];
+        Technique technique = technique_open(run, &view);
+        RasterTarget picture[PICTURES], one_light = raster_target_open("one light", width, height);
+        RasterTarget attenuated = raster_target_open("surfaces through the medium", width, height);
         for (int i = 0; i < PICTURES; i++)
-            picture[i] = raster_target_open(steps[i].name, width, height);
+            picture[i] = raster_target_open(epipolar_about.steps[i].name, width, height);
+        uint64_t last_view = 0;
 
         while (run_frame(run)) {
             const Camera camera = run_camera(run);
-            if (run_pass_common(run, "depth maps", lights > 0, "the scene has no light"))
+            bool shown[PICTURES];
+            for (int i = 0; i < PICTURES; i++)
+                shown[i] = pictures && run_step_shown(run, epipolar_about.steps[i].name);
+            const bool glows = !pictures || shown[AIRLIGHT] || shown[PICTURE];
+            const bool flat_shown = shown[VOXELS] || shown[SCANNED] || shown[COUNTS] || shown[LIT_SURFACES];
+            const bool clear = shown[CLEAR] || (shown[PICTURE] && !extinguishes);
+            uint64_t view_now = hash_view(scene, camera);
+            if (deforming && run_pass_common(run, "deform", true, NULL)) {
+                const uint64_t shape = cell24_turn(&moved, run_frame_number(run), &view.mesh);
+                view_now = hash_bytes(view_now, &shape, sizeof shape);
+                technique_moved(&technique, scene);
+            }
+            // while measuring, frame 0 comes again and again
+            const bool changed = run_frame_number(run) == 0 || view_now != last_view;
+            last_view = view_now;
+            bool any_casts = false;
+            for (size_t i = 0; i < lights; i++)
+                any_casts =
+                    any_casts || raster_can_shadow(scene, &scene->lights[i], &camera, run_aspect(run));
+            const bool asked = (glows && scatters) || flat_shown; // whether anything asks the volumes
+
+            //[maps
+            if (run_pass_common(run, "depth maps",
+                                changed && lights > 0 && (clear || shown[PICTURE] || (asked && any_casts)),
+                                lights == 0 ? NO_LIGHT
+                                : !changed  ? SAME_VIEW
+                                : asked     ? NO_CASTER
+                                            : NO_SCATTERING))
                 raster_view_draw_maps(&view);
-            if (run_pass_common(run, "G-buffer", true, NULL))
+            if (run_pass_common(run, "G-buffer", changed, SAME_VIEW))
                 raster_gbuffer_draw(raster, &view.gbuffer, &camera, &view.mesh);
-            if (run_pass_common(run, "surfaces", true, NULL)) {
-                raster_light_begin(raster, &view.gbuffer, picture[CLEAR].texture,
-                                   (float)run_number(run, "ambient"));
+            if (run_pass_common(run, "surfaces", changed && clear, clear ? SAME_VIEW : NOT_SHOWN)) {
+                raster_light_begin(raster, &view.gbuffer, picture[CLEAR].texture, ambient);
                 for (size_t i = 0; i < lights; i++)
                     raster_light_add(raster, &view.gbuffer, &camera, &scene->lights[i], &view.maps[i],
                                      picture[CLEAR].texture);
             }
             run_step(run, "map", picture[CLEAR].texture);
+            //]
 
-            QueryView seen = {.scene = scene, .camera = &camera, .gbuffer = &view.gbuffer};
-            for (size_t i = 0; i < lights && !brute; i++) {
-                seen.light = &scene->lights[i];
-                seen.map = &view.maps[i];
-                if (run_pass(run, "range", true, NULL)) {
-                    const EpipolarFrame frame = epipolar_frame(&camera, seen.light);
-                    EpipolarRange range = run_chosen(run, "range", "full")
-                                              ? epipolar_range_full(size.alpha, size.theta, size.phi)
-                                              : epipolar_range_seen(&frame, &camera, run_aspect(run),
-                                                                    size.alpha, size.theta, size.phi);
-                    if (triangles.settings.solid)
-                        range.alpha_least = 0.0f; // see triangles.h
-                    vsv_aim(&vsv[i], &frame, &range, &camera, width, height);
-                    if (!run_chosen(run, "range", "full") || frame.at_infinity)
-                        query_range(&query, &vsv[i], &seen, picture[AIRLIGHT].texture);
-                }
-                if (run_pass(run, "clear", true, NULL))
-                    vsv_clear(&vsv[i]);
-                if (geometric && run_pass(run, "extents", true, NULL)) {
-                    triangles_vsv_list(&triangles, &view.mesh, &vsv[i], seen.light);
-                    run_skipped(run, triangles.counted.outside, (double)scene->mesh.triangle_count);
-                    run_count(run, "items", triangles.counted.items);
-                }
-                if (run_pass(run, "voxels", true, NULL)) {
-                    if (geometric)
-                        triangles_vsv_fill(&triangles, &view.mesh, &vsv[i], seen.light);
-                    else
-                        vsv_voxelize_map(&vsv[i], seen.light, seen.map);
-                }
-                if (i == 0 && run_pass_common(run, "show voxels", run_step_shown(run, "voxels"),
-                                              "another picture is shown"))
-                    vsv_show(&vsv[i], flat, picture[VOXELS].texture, width, height);
+            //[volumes
+            const bool volumes = !technique.brute && lights > 0;
+            for (size_t i = 0; i < lights && volumes; i++) {
+                const TechniqueNeeds needs = needs_of(run, scene, i, &camera, changed, asked);
+                technique_voxels(&technique, run, &view, &camera, i, &needs, picture[AIRLIGHT].texture);
             }
+            const char *why_flat = volumes ? NOT_SHOWN : NO_VOLUME;
+            if (run_pass_common(run, "show voxels", volumes && shown[VOXELS], why_flat) && volumes)
+                vsv_show(&technique.vsv[0], flat, picture[VOXELS].texture, width, height);
             run_step(run, "voxels", picture[VOXELS].texture);
-            for (size_t i = 0; i < lights && !brute; i++)
-                if (run_pass(run, "scan", true, NULL))
-                    vsv_scan(&vsv[i]);
-            if (lights > 0 && !brute &&
-                run_pass_common(run, "show scanned", run_step_shown(run, "scanned"),
-                                "another picture is shown"))
-                vsv_show(&vsv[0], flat, picture[SCANNED].texture, width, height);
+
+            for (size_t i = 0; i < lights && volumes; i++) {
+                const TechniqueNeeds needs = needs_of(run, scene, i, &camera, changed, asked);
+                technique_scan(&technique, run, i, &needs);
+            }
+            if (run_pass_common(run, "show scanned", volumes && shown[SCANNED], why_flat) && volumes)
+                vsv_show(&technique.vsv[0], flat, picture[SCANNED].texture, width, height);
             run_step(run, "scanned", picture[SCANNED].texture);
-            if (lights > 0 && !brute &&
-                run_pass_common(run, "counts", run_step_shown(run, "counts"), "another picture is shown"))
-                draw_counts(&query, &vsv[0], &seen, &picture[COUNTS]);
+            //]
+
+            if (run_pass_common(run, "counts", volumes && shown[COUNTS], why_flat) && volumes) {
+                const QueryView first = technique_view(&view, &camera, 0);
+                raster_target_clear(&picture[COUNTS]);
+                query_counts(&technique.query, &technique.vsv[0], &first, picture[COUNTS].texture);
+            }
             run_step(run, "counts", picture[COUNTS].texture);
-            if (run_pass(run, "airlight", true, NULL)) {
-                raster_target_clear(&picture[AIRLIGHT]);
+            if (run_pass_common(run, "surfaces by voxels", volumes && shown[LIT_SURFACES], why_flat) &&
+                volumes) {
+                raster_light_begin(raster, &view.gbuffer, picture[LIT_SURFACES].texture, ambient);
                 for (size_t i = 0; i < lights; i++) {
-                    seen.light = &scene->lights[i];
-                    seen.map = &view.maps[i];
-                    if (brute)
-                        airlight_add(&march, &view.gbuffer, &camera, scene, seen.light, seen.map,
-                                     picture[AIRLIGHT].texture);
-                    else
-                        query_airlight(&query, &vsv[i], &seen, picture[AIRLIGHT].texture);
+                    const QueryView each = technique_view(&view, &camera, i);
+                    query_surface(&technique.query, &technique.vsv[i], &each, picture[LIT_SURFACES].texture);
                 }
+            }
+            run_step(run, "surfaces", picture[LIT_SURFACES].texture);
+
+            //[airlight
+            if (run_pass(run, "airlight", changed && lights > 0 && scatters && glows,
+                         lights == 0 ? NO_LIGHT
+                         : !scatters ? NO_SCATTERING
+                         : !changed  ? SAME_VIEW
+                                     : NOT_SHOWN)) {
+                raster_target_clear(&picture[AIRLIGHT]);
+                technique_airlight(&technique, run, &view, &camera, picture[AIRLIGHT].texture);
             }
             run_step(run, "airlight", picture[AIRLIGHT].texture);
-            if (run_pass_common(run, "sum", true, NULL))
-                airlight_sum(&haze, &view.gbuffer, 1.0f, picture[CLEAR].texture, picture[AIRLIGHT].texture,
-                             picture[PICTURE].texture);
+            if (run_pass_common(run, "attenuation", changed && shown[PICTURE] && extinguishes,
+                                !extinguishes     ? NO_EXTINCTION
+                                : !shown[PICTURE] ? NOT_SHOWN
+                                                  : SAME_VIEW))
+                draw_attenuated(&haze, &view, &camera, ambient, &one_light, &attenuated);
+            if (run_pass_common(run, "sum", changed && shown[PICTURE],
+                                shown[PICTURE] ? SAME_VIEW : NOT_SHOWN))
+                airlight_sum(&haze, &view.gbuffer, 1.0f,
+                             extinguishes ? attenuated.texture : picture[CLEAR].texture,
+                             picture[AIRLIGHT].texture, picture[PICTURE].texture);
             run_step(run, "picture", picture[PICTURE].texture);
+            //]
+
             if (run_truth_wanted(run)) {
-                const TruthPhase phase = {settings.phase, (double)scene->medium.mean_cosine,
-                                          (double)settings.rayleigh_share};
-                Image truth = truth_airlight_picture(scene, &camera, width, height, &phase, -1.0f);
+                Image truth = judge_truth(scene, &camera, width, height, &technique.airlight,
+                                          shown[AIRLIGHT] || !pictures ? -1.0f : ambient);
                 run_truth(run, &truth);
                 image_free(&truth);
             }
         }
-        for (size_t i = 0; i < lights && !brute; i++)
-            vsv_close(&vsv[i]);
-        free(vsv);
-        triangles_close(&triangles);
-        if (brute)
-            airlight_close(&march);
-        else
-            query_close(&query);
+        const Camera camera = run_camera(run);
+        const RenderSettings all = {.airlight = technique.airlight,
+                                    .volume = technique.size,
+                                    .asked = technique.asked,
+                                    .full = !technique.seen,
+                                    .map = run_integer(run, "map")};
+        Image got = raster_target_read(&picture[AIRLIGHT], width, height);
+        if (run_measuring_error(run))
+            judge_errors(run, raster, scene, &camera, &all, &got);
+        else if (run_checking(run))
+            judge_case(run, raster, &camera, &all, &got);
+        image_free(&got);
+
+        raster_target_close(&one_light);
+        raster_target_close(&attenuated);
         for (int i = 0; i < PICTURES; i++)
             raster_target_close(&picture[i]);
+        technique_close(&technique, lights);
+        if (deforming)
+            cell24_end(&moved);
         raster_view_close(&view);
     }
     shader_close(flat);

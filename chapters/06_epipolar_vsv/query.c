@@ -6,29 +6,36 @@
 
 static int integral_number(const char *integral)
 {
-    static const char *const names[] = {"runs", "riemann", "factored"};
-    for (int i = 0; i < 3; i++)
+    static const char *const names[] = {"runs", "riemann", "factored", "march"};
+    for (int i = 0; i < 4; i++)
         if (strcmp(names[i], integral) == 0)
             return i;
     fail_work("no integral '%s'", integral);
 }
 
-Query query_open(const AirlightSettings *settings, const VsvSettings *volume, const char *integral,
+Query query_open(const QuerySettings *settings, const AirlightSettings *airlight, const VsvSettings *volume,
                  const DepthMap *maps, size_t map_count)
 {
-    char *definitions = vsv_definitions(volume);
-    AirlightSettings with = *settings;
+    enum { MARCH = 3 };
+    char *spread = vsv_definitions(volume);
+    char *definitions = text_format("%s\nSLICE %d\nFILTER %d\nTEXTURE %d", spread, settings->slice,
+                                    settings->filtered, settings->textured);
+    AirlightSettings with = *airlight;
     with.variant = "intervals"; // the brute force's; of no meaning here
     with.definitions = definitions;
-    with.number = integral_number(integral);
-    Query query = {.phi = gl_buffer(.label = "range of phi", .bytes = 2 * sizeof(uint32_t))};
-    with.shader = "06_epipolar_vsv/airlight.comp";
+    with.number = integral_number(settings->integral);
+    Query query = {.textured = settings->textured,
+                   .phi = gl_buffer(.label = "range of phi", .bytes = 3 * sizeof(float))};
+    with.shader = with.number == MARCH ? "06_epipolar_vsv/march.comp" : "06_epipolar_vsv/airlight.comp";
     query.airlight = airlight_open(&with, maps, map_count);
     with.count = false;
     with.shader = "06_epipolar_vsv/range.comp";
     query.range = airlight_open(&with, maps, map_count);
     with.shader = "06_epipolar_vsv/counts.comp";
     query.counts = airlight_open(&with, maps, map_count);
+    with.shader = "06_epipolar_vsv/surface.comp";
+    query.surface = airlight_open(&with, maps, map_count);
+    free(spread);
     free(definitions);
     return query;
 }
@@ -38,6 +45,7 @@ void query_close(Query *query)
     airlight_close(&query->airlight);
     airlight_close(&query->range);
     airlight_close(&query->counts);
+    airlight_close(&query->surface);
     gl_buffer_delete(&query->phi);
 }
 
@@ -47,21 +55,26 @@ static void ask(const Airlight *what, const Vsv *vsv, const QueryView *view, GLu
     airlight_add(what, view->gbuffer, view->camera, view->scene, view->light, view->map, picture);
 }
 
-void query_range(const Query *query, Vsv *vsv, const QueryView *view, GLuint picture)
+bool query_range(const Query *query, Vsv *vsv, const QueryView *view, bool cut, GLuint picture)
 {
-    const float start[2] = {INFINITY, 0.0f};
-    float phi[2];
+    const float start[3] = {INFINITY, 0.0f, INFINITY};
+    float phi[3];
     gl.NamedBufferSubData(query->phi, 0, sizeof start, start);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, query->phi);
     ask(&query->range, vsv, view, picture);
     gl_buffer_read(query->phi, 0, sizeof phi, phi);
-    // The last light ray lies beyond the box, so that it is lit, and with it all that the grid does not cover.
-    const float met = epipolar_phi_of_box(&vsv->frame, view->scene->lower, view->scene->upper),
-                beyond = met * (1.0f + 4.0f / (float)vsv->settings.phi);
+    // The last light ray lies beyond the box, so that it is lit, and with it all that the grid does not cover; or beyond the window, whose corners are at most √2
+    // times as far from the axis, and so dark.
+    const float margin = query->textured ? 0.5f : 4.0f / (float)vsv->settings.phi;
+    const float beyond =
+        (1.0f + margin) * epipolar_phi_of_box(&vsv->frame, view->scene->lower, view->scene->upper);
     const bool any = phi[0] < phi[1] && phi[0] < beyond;
-    vsv->range.phi_least = any ? phi[0] : 0.0f;
-    vsv->range.phi_most =
-        any ? fminf(phi[1], beyond) : 1.0f; // no ray meets light, or none shadow: anything will do
+    if (cut || vsv->frame.at_infinity) {
+        vsv->range.phi_least = any ? phi[0] : 0.0f;
+        vsv->range.phi_most = any ? fminf(phi[1], beyond) : 1.0f; // no ray meets light, or none shadow
+    }
+    const float pixel = view->camera->vertical_fov_rad / (float)view->gbuffer->height;
+    return vsv->frame.distance > 0.0f && (isinf(phi[2]) || vsv->frame.distance > pixel * phi[2]);
 }
 
 void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
@@ -72,4 +85,11 @@ void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, G
 void query_counts(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
 {
     ask(&query->counts, vsv, view, picture);
+}
+
+void query_surface(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
+{
+    gl.BindImageTexture(5, view->gbuffer->normal, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA16F);
+    gl.BindImageTexture(6, view->gbuffer->albedo, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA16F);
+    ask(&query->surface, vsv, view, picture);
 }

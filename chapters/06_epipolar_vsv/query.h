@@ -6,11 +6,18 @@
 
 // Shaders that start from common/airlight_ray.glsl and 06_epipolar_vsv/query.glsl, for all of a scene's lights.
 typedef struct Query {
-    Airlight airlight, range, counts;
-    GLuint phi; // least and most
+    Airlight airlight, range, counts, surface;
+    bool textured;
+    GLuint phi; // least and most; the nearest surface
 } Query;
-// `settings` as for common/airlight.h; integral: runs riemann factored.
-Query query_open(const AirlightSettings *settings, const VsvSettings *volume, const char *integral,
+typedef struct QuerySettings {
+    const char *integral; // runs riemann factored; march: no volume is asked, but the map, `steps` times
+    int slice;            // factored: voxels that share one evaluation of what is smooth
+    bool filtered;        // four rows a pixel instead of the nearest
+    bool textured;        // the light shines through a window
+} QuerySettings;
+// `airlight`: as for common/airlight.h, whose method does not matter.
+Query query_open(const QuerySettings *settings, const AirlightSettings *airlight, const VsvSettings *volume,
                  const DepthMap *maps, size_t map_count);
 void query_close(Query *query);
 
@@ -22,10 +29,13 @@ typedef struct QueryView {
     const Camera *camera;
     const GBuffer *gbuffer;
 } QueryView;
-// Cut vsv->range's φ down to what the view's rays reach; vsv has been aimed. `picture` gives the size alone.
-void query_range(const Query *query, Vsv *vsv, const QueryView *view, GLuint picture);
+// What the view's rays reach: with `cut`, or for a directional light, vsv->range's φ is cut down to it; vsv has been aimed. `picture` gives the size alone. False:
+// the light is so near the eye that it sees what the eye sees: between both, shadows are thinner than a pixel.
+bool query_range(const Query *query, Vsv *vsv, const QueryView *view, bool cut, GLuint picture);
 // Add the light's airlight, W/(sr·m²); or the share of each ray's voxels that are set.
 void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
 void query_counts(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
+// Add what the light gives to surfaces that lie in lit voxels.
+void query_surface(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
 
 #endif

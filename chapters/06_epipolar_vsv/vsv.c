@@ -10,12 +10,21 @@ char *vsv_definitions(const VsvSettings *settings)
                        strcmp(settings->slices, "pixel") == 0);
 }
 
+static int level_count(const Vsv *vsv, int level) // α of a level of the mip chain
+{
+    return (vsv->settings.alpha + (1 << level) - 1) >> level;
+}
+
 Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
 {
     Vsv vsv = {.settings = *settings, .levels = 1, .kind = map->kind};
+    const bool steps = strcmp(settings->scan, "logstep") == 0;
     vsv.words = settings->phi / 32;
     vsv.columns = settings->theta * vsv.words;
-    vsv.bytes = (size_t)settings->alpha * (size_t)vsv.columns * sizeof(uint32_t);
+    const size_t level_bytes = (size_t)vsv.columns * sizeof(uint32_t);
+    vsv.bytes = (size_t)settings->alpha * level_bytes;
+    for (; steps && level_count(&vsv, vsv.levels - 1) > 1; vsv.levels++)
+        vsv.bytes += (size_t)level_count(&vsv, vsv.levels) * level_bytes;
     vsv.voxels = gl_buffer(.label = "voxels", .bytes = vsv.bytes);
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &vsv.texels);
     gl.ObjectLabel(GL_TEXTURE, vsv.texels, -1, "voxels, 128 a texel");
@@ -25,9 +34,24 @@ Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
     vsv.borders =
         gl_buffer(.label = "borders of slices", .bytes = ((size_t)settings->theta + 1) * sizeof(float));
     char *spread = vsv_definitions(settings);
-    char *definitions = text_format("%s\nMAP_KIND %d", spread, (int)map->kind);
+    const bool halves = strcmp(settings->shape, "paraboloid") == 0;
+    if (halves && map->kind != LIGHT_POINT)
+        fail_request("--set shape=paraboloid: is for maps of all directions; this light's map covers its "
+                     "cone or the scene alone");
+    if (halves) {
+        vsv.halves = gl_texture(.label = "two paraboloids", .target = GL_TEXTURE_2D_ARRAY, .format = GL_R32F,
+                                .width = map->resolution, .height = map->resolution, .depth = 2);
+        vsv.to_halves = shader_open("to paraboloids", NULL, "06_epipolar_vsv/paraboloid.comp");
+    }
+    char *definitions = text_format("%s\nMAP_KIND %d\nPARABOLOID %d", spread, (int)map->kind, halves);
     vsv.resample = shader_open("resample", definitions, "06_epipolar_vsv/resample.comp");
-    vsv.scan[0] = shader_open("scan", NULL, "06_epipolar_vsv/scan_columns.comp");
+    if (steps) {
+        vsv.scan[VSV_UP] = shader_open("scan, up", NULL, "06_epipolar_vsv/scan_up.comp");
+        vsv.scan[VSV_DOWN] = shader_open("scan, down", NULL, "06_epipolar_vsv/scan_down.comp");
+        vsv.scan[VSV_SLICES] = shader_open("scan, slices", NULL, "06_epipolar_vsv/scan_slices.comp");
+    } else {
+        vsv.scan[VSV_COLUMNS] = shader_open("scan", NULL, "06_epipolar_vsv/scan_columns.comp");
+    }
     free(spread);
     free(definitions);
     return vsv;
@@ -36,12 +60,14 @@ Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
 void vsv_close(Vsv *vsv)
 {
     gl_texture_delete(&vsv->texels);
+    gl_texture_delete(&vsv->halves);
     gl_buffer_delete(&vsv->voxels);
     gl_buffer_delete(&vsv->first);
     gl_buffer_delete(&vsv->slices);
     gl_buffer_delete(&vsv->borders);
+    shader_close(vsv->to_halves);
     shader_close(vsv->resample);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < VSV_SCANS; i++)
         shader_close(vsv->scan[i]);
 }
 
@@ -70,6 +96,11 @@ void vsv_clear(const Vsv *vsv)
     fill(vsv->first, (uint32_t)vsv->settings.alpha);
 }
 
+void vsv_light_all(const Vsv *vsv)
+{
+    fill(vsv->slices, (uint32_t)vsv->settings.alpha);
+}
+
 void vsv_bind(const Vsv *vsv, const Shader *shader)
 {
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, vsv->voxels);
@@ -85,6 +116,14 @@ void vsv_voxelize_map(const Vsv *vsv, const Light *light, const DepthMap *map)
     const vec3 eye_from_origin = vsv->frame.eye - map->origin;
     vsv_bind(vsv, vsv->resample);
     gl.BindImageTexture(2, map->distance, 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32F);
+    if (vsv->to_halves) {
+        const GLuint groups = (GLuint)(map->resolution + 7) / 8;
+        gl.BindImageTexture(1, vsv->halves, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
+        shader_use(vsv->to_halves);
+        gl.DispatchCompute(groups, groups, 2);
+        gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+        gl.BindImageTexture(2, vsv->halves, 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32F);
+    }
     shader_use(vsv->resample);
     shader_set_mat4(vsv->resample, "to_clip", (const float *)&map->to_clip);
     shader_set_vec3(vsv->resample, "eye_from_origin", (const float *)&eye_from_origin);
@@ -93,15 +132,42 @@ void vsv_voxelize_map(const Vsv *vsv, const Light *light, const DepthMap *map)
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
+static void scan_pass(const Vsv *vsv, int shader, int level, int rows)
+{
+    vsv_bind(vsv, vsv->scan[shader]);
+    shader_use(vsv->scan[shader]);
+    shader_set_int(vsv->scan[shader], "level", level);
+    gl.DispatchCompute((GLuint)(vsv->columns + 63) / 64, (GLuint)rows, 1);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
 void vsv_scan(const Vsv *vsv)
 {
     // of each slice nothing is known yet: (no α has any shadow, all have nothing else) is what min and max begin from
     const uint32_t unknown[2] = {(uint32_t)vsv->settings.alpha, 0};
     gl.ClearNamedBufferData(vsv->slices, GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, unknown);
-    vsv_bind(vsv, vsv->scan[0]);
-    shader_use(vsv->scan[0]);
-    gl.DispatchCompute((GLuint)(vsv->columns + 63) / 64, 1, 1);
-    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    if (vsv->scan[VSV_COLUMNS]) {
+        scan_pass(vsv, VSV_COLUMNS, 0, 1);
+        return;
+    }
+    const int top = vsv->levels - 1;
+    for (int level = 1; level <= top; level++)
+        scan_pass(vsv, VSV_UP, level, level_count(vsv, level));
+    for (int level = top - 1; level >= 0; level--)
+        scan_pass(vsv, VSV_DOWN, level, level_count(vsv, level));
+    scan_pass(vsv, VSV_SLICES, top, 1);
+}
+
+int vsv_empty_columns(const Vsv *vsv)
+{
+    const size_t bytes = (size_t)vsv->columns * sizeof(uint32_t);
+    uint32_t *first = memory_new((size_t)vsv->columns, sizeof *first, "word columns");
+    int empty = 0;
+    gl_buffer_read(vsv->first, 0, bytes, first);
+    for (int i = 0; i < vsv->columns; i++)
+        empty += first[i] >= (uint32_t)vsv->settings.alpha;
+    free(first);
+    return empty;
 }
 
 void vsv_show(const Vsv *vsv, const Shader *flat, GLuint picture, int width, int height)

@@ -16,7 +16,10 @@ typedef struct VsvSettings {
     const char *scan;      // columns logstep
     const char *warp;      // of φ: even square
     const char *slices;    // of θ: uniform pixel
+    const char *shape;     // of a point light's map: cube paraboloid
 } VsvSettings;
+
+enum { VSV_COLUMNS, VSV_UP, VSV_DOWN, VSV_SLICES, VSV_SCANS }; // shaders of the scan
 
 typedef struct Vsv {
     VsvSettings settings;
@@ -25,7 +28,8 @@ typedef struct Vsv {
     size_t bytes;       // of all levels
     LightKind kind;     // of the light's map
     GLuint voxels, texels, first, slices, borders; // texels: voxels as RGBA32UI
-    Shader *resample, *scan[3];
+    GLuint halves;                                 // of the paraboloids
+    Shader *to_halves, *resample, *scan[VSV_SCANS];
     EpipolarFrame frame;
     EpipolarRange range;
 } Vsv;
@@ -36,11 +40,15 @@ void vsv_close(Vsv *vsv);
 void vsv_aim(Vsv *vsv, const EpipolarFrame *frame, const EpipolarRange *range, const Camera *camera,
              int width, int height);
 void vsv_clear(const Vsv *vsv); // no voxel is set
+// No voxel that is seen lies in shadow: instead of the three passes that follow.
+void vsv_light_all(const Vsv *vsv);
 // Voxelization by one sample of the light's map a light ray (section 4.1.3).
 void vsv_voxelize_map(const Vsv *vsv, const Light *light, const DepthMap *map);
 // Shadow behind what is set (section 2.2.2).
 void vsv_scan(const Vsv *vsv);
 
+// Word columns that no occluder touches: the scan leaves them out.
+int vsv_empty_columns(const Vsv *vsv);
 // The grid laid flat into an RGBA32F picture, by 06_epipolar_vsv/show.comp.
 void vsv_show(const Vsv *vsv, const Shader *flat, GLuint picture, int width, int height);
 

@@ -57,8 +57,94 @@ static void make_crowd(Scene *scene, uint64_t seed)
         (Camera){vec3_make(1.4f, 3.4f, 7.5f), vec3_make(0, 1.5f, -1.5f), vec3_make(0, 1, 0), 0.8f, 0, 0};
 }
 
+// Where the cases of the stability table take place: a floor, a wall, two blocks.
+static void make_room(Scene *scene)
+{
+    const uint32_t stone = add_stone(scene);
+    mesh_add_quad(&scene->mesh, vec3_make(-4, 0, -4), vec3_make(0, 0, 10), vec3_make(8, 0, 0), stone);
+    mesh_add_quad(&scene->mesh, vec3_make(-4, 0, -4), vec3_make(8, 0, 0), vec3_make(0, 4, 0), stone);
+    mesh_add_box(&scene->mesh, vec3_make(-0.9f, 0, -1.2f), vec3_make(0, 1.3f, -0.4f), stone);
+    mesh_add_box(&scene->mesh, vec3_make(0.9f, 0, -0.6f), vec3_make(1.3f, 2.2f, -0.3f), stone);
+    scene->medium = scene_haze(0.15f);
+    scene->camera =
+        (Camera){vec3_make(0.3f, 1.2f, 3.5f), vec3_make(0.2f, 1, -1), vec3_make(0, 1, 0), 0.9f, 0, 0};
+}
+
+static void make_stage(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_room(scene);
+    add_lamp(scene, vec3_make(0.8f, 1.6f, -2.2f), 8);
+}
+
+static void make_stage_sun(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    make_room(scene);
+    scene_add_light(scene, (Light){.kind = LIGHT_DIRECTIONAL,
+                                   .direction = vec3_normalize(vec3_make(-0.5f, -0.6f, 0.4f)),
+                                   .intensity = grey(3)});
+}
+
+static void make_mist(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    add_lamp(scene, vec3_make(0.3f, 0.2f, -3), 4);
+    scene->medium = scene_haze(0.25f);
+    scene->camera = (Camera){grey(0), vec3_make(0, 0, -1), vec3_make(0, 1, 0), 1, 0, 0};
+}
+
+// The lamp's box is closed; another, closed too, stands where an eye may be put into it.
+static void make_lamp_in_box(Scene *scene, uint64_t seed)
+{
+    make_stage(scene, seed);
+    mesh_add_box(&scene->mesh, vec3_make(0.6f, 1.4f, -2.5f), vec3_make(1.1f, 1.9f, -1.9f), 0);
+    mesh_add_box(&scene->mesh, vec3_make(-0.2f, 0.3f, 2.5f), vec3_make(0.4f, 0.9f, 3.2f), 0);
+}
+
+// A square across the way from eye to lamp.
+static void make_plate(Scene *scene, uint64_t seed)
+{
+    (void)seed;
+    mesh_add_quad(&scene->mesh, vec3_make(-0.4f, -0.3f, -1.5f), vec3_make(1, 0, 0), vec3_make(0, 0.8f, 0),
+                  add_stone(scene));
+    make_mist(scene, seed);
+}
+
+// A sheet in which eye and lamp both lie, from before the one to behind the other: it hides nothing of the air from either, and has no volume.
+static void make_edge_on(Scene *scene, uint64_t seed)
+{
+    mesh_add_quad(&scene->mesh, vec3_make(-0.2f, 0, 2), vec3_make(0.3f, 0, 0), vec3_make(0, 0, -6),
+                  add_stone(scene));
+    make_mist(scene, seed);
+    scene->lights[0].position = vec3_make(0, 0, -3);
+    scene->camera.target = vec3_make(0.2f, 0.1f, -1);
+}
+
+static void make_in_one_box(Scene *scene, uint64_t seed)
+{
+    mesh_add_box(&scene->mesh, vec3_make(-1.2f, -0.9f, -4), vec3_make(1.1f, 1, 0.7f), add_stone(scene));
+    mesh_add_box(&scene->mesh, vec3_make(-0.4f, -0.5f, -2), vec3_make(-0.1f, 0.3f, -1.6f), 0);
+    make_mist(scene, seed);
+}
+
+// A pole before the open sky, beyond which the lamp's φ reaches up to π − α.
+static void make_pole(Scene *scene, uint64_t seed)
+{
+    mesh_add_box(&scene->mesh, vec3_make(-0.2f, -2, -2.2f), vec3_make(0.1f, 0.6f, -1.9f), add_stone(scene));
+    make_mist(scene, seed);
+}
+
 const SceneKind vsv_scenes[] = {
     {"cell24", "the 24-cell's edges before a lamp; --path deform turns it in four dimensions", cell24_make},
     {"crowd", "about a thousand figures, a million triangles, around a lamp", make_crowd},
+    {"stage", "a floor, a wall, two blocks and a lamp between them", make_stage},
+    {"stage_sun", "the same in the sun", make_stage_sun},
+    {"mist", "a lamp in nothing but mist", make_mist},
+    {"lamp_in_box", "the stage, its lamp in a closed box, and an empty one before the eye", make_lamp_in_box},
+    {"plate", "a square across the way from eye to lamp", make_plate},
+    {"edge_on", "a sheet in which eye and lamp both lie", make_edge_on},
+    {"in_one_box", "eye and lamp in one closed box", make_in_one_box},
+    {"pole", "a pole before a lamp and the open sky", make_pole},
     {NULL, NULL, NULL},
 };

@@ -1,6 +1,8 @@
-// Airlight from the volume's bits. METHOD 0: runs of equal bits, each lit one integrated in closed form.
+// Airlight from the volume's bits, by METHOD: runs of equal bits, each lit one integrated in closed form; the sum over all of them (Wyman 2011, equation 5); or
+// slices of bits whose lit share is factored out of the rest (Dobashi et al. 2002).
 #include "common/airlight_ray.glsl"
 #include "06_epipolar_vsv/query.glsl"
+#include "06_epipolar_vsv/sample.glsl"
 
 #define RUNS 0
 #define RIEMANN 1
@@ -22,41 +24,109 @@ vec3 stretch(Ray ray, float from, float to)
 #endif
 }
 
-// Where along the ray the border `place` of the grid lies; the ends are the ray's own.
-float border_along(Ray ray, Query query, float place, float first, float last)
+//[border
+// φ of a border between voxels, and how far along the ray it lies; the outermost borders are the ends of the ray's stretch.
+float border_phi(Query query, int place)
 {
-    float along = clamp(epipolar_along(query.alpha, epipolar_phi_at(place)), ray.from, ray.to);
-    return place <= first ? ray.from : place >= last ? ray.to : along;
+    return place <= query.first ? query.from : place >= query.last ? query.to : clamp(epipolar_phi_at(float(place)), query.from, query.to);
 }
 
-//[runs
-// The next place at or after `place` whose bit is `value`; `last` where there is none. Words are looked at whole.
-int next_bit(ivec2 row, int place, int last, bool value, inout uint fetches)
+float border_along(Ray ray, Query query, int place)
 {
+    float along = clamp(epipolar_along(query.alpha, epipolar_phi_at(float(place))), ray.from, ray.to);
+    return place <= query.first ? ray.from : place >= query.last ? ray.to : along;
+}
+//]
+
+#if METHOD == RUNS
+//[runs
+// The next voxel at or after `place` that is lit, or not; query.last where there is none. A word is looked at whole.
+int next_voxel(Query query, Row row, int place, bool lit, inout uint fetches)
+{
+#if EVERYTHING
+    int last = epipolar_count.z; // also what lies behind the ray's end, for nothing
+#else
+    if (row.lit)
+        return lit ? place : query.last;
+    int last = query.last;
+#endif
     bool found = place >= last;
     while (!found) {
         uint word = query_texel(row, place >> 7)[(place >> 5) & 3];
         fetches++;
-        uint rest = (value ? word : ~word) & (~0u << (place & 31));
+        uint rest = (lit ? ~word : word) & (~0u << (place & 31));
         place = rest != 0u ? (place & ~31) + findLSB(rest) : (place & ~31) + 32;
         found = rest != 0u || place >= last;
     }
-    return min(place, last);
+    return min(place, query.last);
 }
 
-vec3 integral_of(Ray ray, Query query, inout uint fetches)
+vec3 integral_of(Ray ray, Query query, Row row, inout uint fetches)
 {
-    ivec2 row = query_row(query);
-    float first = floor(clamp(epipolar_phi_place(query.from), 0.0, float(epipolar_count.z - 1)));
-    float last = ceil(clamp(epipolar_phi_place(query.to), first + 1.0, float(epipolar_count.z)));
     vec3 sum = vec3(0.0);
-    int place = next_bit(row, int(first), int(last), false, fetches);
-    while (place < int(last)) {
-        int end = next_bit(row, place, int(last), true, fetches);
-        sum += stretch(ray, border_along(ray, query, float(place), first, last), border_along(ray, query, float(end), first, last));
-        place = next_bit(row, end, int(last), false, fetches);
+    int place = row.dark && EVERYTHING == 0 ? query.last : next_voxel(query, row, query.first, true, fetches);
+    while (place < query.last) {
+        int end = next_voxel(query, row, place, false, fetches);
+        sum += stretch(ray, border_along(ray, query, place), border_along(ray, query, end));
+        place = next_voxel(query, row, end, true, fetches);
     }
     return sum;
+}
+//]
+#else
+//[riemann
+// Voxels that share one evaluation of what is smooth: one each for the sum of equation 5. Of its N + 1 terms, from 0 to N, the last is one too many: N steps
+// make up the ray.
+#if METHOD == RIEMANN
+const int SHARE = 1;
+#else
+const int SHARE = SLICE;
+#endif
+
+vec3 integral_of(Ray ray, Query query, Row row, inout uint fetches)
+{
+    vec3 sum = vec3(0.0);
+#if EVERYTHING
+    int start = 0, stop = epipolar_count.z;
+#else
+    int start = query.first & ~127, stop = row.dark || (row.lit && TEXTURE == 0) ? start : query.last;
+#endif
+    for (int quarter = start; quarter < stop; quarter += 128) {
+        uvec4 texel = query_texel(row, quarter >> 7);
+        fetches++;
+        for (int k = 0; k < 128; k += SHARE) {
+            int place = quarter + k, from = clamp(query.first - place, 0, SHARE), to = clamp(query.last - place, from, SHARE);
+            int lit = to - from - bitCount(bitfieldExtract(texel[k >> 5], (k & 31) + from, to - from));
+            float near = border_phi(query, place + from), width = border_phi(query, place + to) - near, middle = near + 0.5 * width;
+            if (lit > 0)
+                sum += float(lit) / float(to - from) * width * sample_phi(ray, query, middle) * light_texture(epipolar_theta_at(float(row.at.y) + 0.5), middle);
+        }
+    }
+    // what is lit throughout needs no sum
+    return row.lit && TEXTURE == 0 ? stretch(ray, ray.from, ray.to) : sum;
+}
+//]
+#endif
+
+//[filter
+// Near the epipole a pixel covers many slices, and voxels are long: what one of them says is not the pixel's mean (Wyman 2011, figure 15). Filtered in epipolar
+// space, a pixel asks four rows, spread over its own width in θ, or over the voxel where that is wider.
+const vec2 taps[4] = vec2[](vec2(-0.375, 0.125), vec2(-0.125, -0.375), vec2(0.125, 0.375), vec2(0.375, -0.125)); // (θ, α)
+
+vec3 filtered(Ray ray, Query query, inout uint fetches)
+{
+#if FILTER
+    float pixel = length(ray_up) / float(imageSize(airlight).y); // its angle, about
+    float slices_wide = pixel / max(query.alpha.x, 1e-6) / epipolar_span.y * float(epipolar_count.y);
+    float rows_wide = pixel / epipolar_span.x * float(epipolar_count.x);
+    vec2 wide = clamp(vec2(rows_wide, slices_wide), vec2(1.0), vec2(epipolar_count.xy));
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < 4; k++)
+        sum += 0.25 * integral_of(ray, query, query_row(query, taps[k].yx * wide), fetches);
+    return sum;
+#else
+    return integral_of(ray, query, query_row(query, vec2(0.0)), fetches);
+#endif
 }
 //]
 
@@ -67,7 +137,6 @@ void main()
     if (!ray_needed(pixel, ray))
         return;
     uint fetches = 0u;
-    Query query = query_of(ray);
-    vec3 sum = integral_of(ray, query, fetches);
+    vec3 sum = filtered(ray, query_of(ray), fetches);
     ray_store(pixel, ray, sum, fetches);
 }

@@ -10,18 +10,16 @@ void main()
     if (!ray_needed(pixel, ray))
         return;
     Query query = query_of(ray);
-    ivec2 row = query_row(query);
-    int from = int(clamp(epipolar_phi_place(query.from), 0.0, float(epipolar_count.z - 1)));
-    int last = int(clamp(ceil(epipolar_phi_place(query.to)), float(from) + 1.0, float(epipolar_count.z)));
+    Row row = query_row(query, vec2(0.0));
     int set = 0;
-    for (int quarter = from >> 7; quarter < (last + 127) >> 7; quarter++) {
-        uvec4 texel = query_texel(row, quarter);
+    for (int quarter = query.first >> 7; quarter < (query.last + 127) >> 7; quarter++) {
+        uvec4 texel = row.lit ? uvec4(0u) : query_texel(row, quarter);
         for (int k = 0; k < 4; k++) {
-            int before = 128 * quarter + 32 * k; // what lies outside [from, last) is not counted
-            int low = clamp(from - before, 0, 32), high = clamp(last - before, low, 32);
+            int before = 128 * quarter + 32 * k; // what lies outside [first, last) is not counted
+            int low = clamp(query.first - before, 0, 32), high = clamp(query.last - before, low, 32);
             set += bitCount(bitfieldExtract(texel[k], low, high - low));
         }
     }
-    imageStore(airlight, pixel, imageLoad(airlight, pixel) + vec4(vec3(ray.inside * float(set) / float(last - from)), 0.0));
+    imageStore(airlight, pixel, imageLoad(airlight, pixel) + vec4(vec3(ray.inside * float(set) / float(query.last - query.first)), 0.0));
 }
 //]

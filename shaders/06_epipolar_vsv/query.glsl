@@ -6,31 +6,54 @@
 #include "06_epipolar_vsv/slices.glsl"
 layout(binding = 4, rgba32ui) readonly uniform uimageBuffer texels; // the words of voxels.glsl, four a texel
 
-// A view ray in the epipolar space: its angle to the axis, and which of the volume's view rays are nearest.
+// A pixel's ray in the epipolar space.
 struct Query {
-    vec2 alpha;           // sine, cosine
-    float from, to;       // φ of the ends of the ray's stretch that light can reach
-    float alpha_place, theta_place;
+    float angle;                     // α
+    vec2 alpha;                      // its sine and cosine
+    float from, to;                  // φ of the ends of the stretch that light can reach
+    int first, last;                 // voxels [first, last) whose middles it meets, at least one; what lies beside the grid counts to its outermost voxels
+    float alpha_place, theta_place;  // which of the grid's view rays is nearest
 };
 
 //[query
 Query query_of(Ray ray)
 {
     vec3 epipolar = to_epipolar(ray.direction); // α and θ do not depend on the length
-    vec2 alpha = vec2(length(cross(epipolar_axis, ray.direction)), dot(epipolar_axis, ray.direction));
-    return Query(alpha, epipolar_phi(alpha, ray.from), epipolar_phi(alpha, ray.to), epipolar_alpha_place(epipolar.x), epipolar_theta_place(epipolar.y));
+    Query query;
+    query.angle = epipolar.x;
+    query.alpha = vec2(length(cross(epipolar_axis, ray.direction)), dot(epipolar_axis, ray.direction));
+    query.from = epipolar_phi(query.alpha, ray.from);
+    query.to = epipolar_phi(query.alpha, ray.to);
+    query.first = int(round(clamp(epipolar_phi_place(query.from), 0.0, float(epipolar_count.z - 1))));
+    query.last = int(round(clamp(epipolar_phi_place(query.to), float(query.first) + 1.0, float(epipolar_count.z))));
+    query.alpha_place = epipolar_alpha_place(epipolar.x);
+    query.theta_place = epipolar_theta_place(epipolar.y);
+    return query;
 }
+//]
 
-// The row of the nearest view ray: (α, θ).
-ivec2 query_row(Query query)
+// One row of voxels: a view ray (α, θ) of the grid, and what its slice says of it.
+struct Row { ivec2 at; bool lit, dark; };
+
+//[row
+// `beside`: how far from the pixel's own place, in voxels. Round a whole turn the first slice follows the last.
+Row query_row(Query query, vec2 beside)
 {
-    return clamp(ivec2(floor(vec2(query.alpha_place, query.theta_place))), ivec2(0), epipolar_count.xy - 1);
+    Row row;
+    row.at = ivec2(floor(vec2(query.alpha_place, query.theta_place) + beside));
+    if (epipolar_span.y > 6.28)
+        row.at.y = (row.at.y + epipolar_count.y) % epipolar_count.y;
+    row.at = clamp(row.at, ivec2(0), epipolar_count.xy - 1);
+    Slice slice = slices[row.at.y];
+    row.lit = row.at.x < int(slice.any);
+    row.dark = row.at.x >= int(slice.all);
+    return row;
 }
 
 // 128 visibilities along a view ray by one fetch; a set bit is in shadow.
-uvec4 query_texel(ivec2 row, int quarter)
+uvec4 query_texel(Row row, int quarter)
 {
-    return imageLoad(texels, epipolar_word(row.x, row.y, 4 * quarter) >> 2);
+    return imageLoad(texels, epipolar_word(row.at.x, row.at.y, 4 * quarter) >> 2);
 }
 //]
 

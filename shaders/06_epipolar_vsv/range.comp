@@ -1,7 +1,8 @@
 // The least and greatest φ that any pixel's ray reaches where light can be (Wyman 2011, section 4.3): of surfaces, and of the sky, whose rays go on towards π - α.
+// Beside it: how near the nearest surface is.
 #include "common/airlight_ray.glsl"
 #include "06_epipolar_vsv/query.glsl"
-layout(std430, binding = 5) buffer Range { uint phi_least, phi_most; }; // positive floats are in order as integers
+layout(std430, binding = 5) buffer Range { uint phi_least, phi_most, nearest; }; // positive floats are in order as integers
 
 void main()
 {
@@ -9,6 +10,7 @@ void main()
     Ray ray = ray_of(pixel);
     if (!ray_needed(pixel, ray))
         return;
+    atomicMin(nearest, floatBitsToUint(imageLoad(distances, pixel).x));
     vec2 alpha = vec2(length(cross(epipolar_axis, ray.direction)), dot(epipolar_axis, ray.direction));
     if (ray.inside > 0.0) {
         atomicMin(phi_least, floatBitsToUint(max(epipolar_phi(alpha, ray.from), 0.0)));

@@ -1,0 +1,67 @@
+// judge: see judge.h.
+#include "judge.h"
+#include "truth.h"
+
+Image judge_truth(const Scene *scene, const Camera *camera, int width, int height,
+                  const AirlightSettings *settings, float ambient)
+{
+    const TruthPhase phase = {settings->phase, (double)scene->medium.mean_cosine,
+                              (double)settings->rayleigh_share};
+    return truth_airlight_picture(scene, camera, width, height, &phase, ambient);
+}
+
+void judge_errors(Run *run, const Raster *raster, const Scene *scene, const Camera *camera,
+                  const RenderSettings *settings, const Image *got)
+{
+    const int width = got->width, height = got->height;
+    AirlightSettings limit = settings->airlight;
+    limit.method = "segments";
+    limit.variant = "intervals";
+    limit.shadowed = true;
+    limit.nodes = 24;
+    Image converged = airlight_picture(raster, scene, camera, width, height, settings->map, &limit);
+    Image truth = judge_truth(scene, camera, width, height, &settings->airlight, -1.0f);
+    run_image_errors(run, "converged", got, &converged, "");
+    run_image_errors(run, "truth", got, &truth, "");
+    // How much of the error no technique on this map could avoid.
+    run_image_errors(run, "truth", &converged, &truth, "map_");
+    image_free(&converged);
+    image_free(&truth);
+}
+
+// One sweep holds the paper's tables 2 (map), 3 (θ) and 4 (growth along α, θ, φ), the diagrams' fronts, and brute force on the same map.
+const RunRow judge_sweep[] = {
+    {"march", NULL, "method=march steps=64", NULL},
+    {"march", NULL, "method=march steps=256", NULL},
+    {"march", NULL, "method=march steps=1024", NULL},
+    {"equiangular", NULL, "method=equiangular steps=16", NULL},
+    {"equiangular", NULL, "method=equiangular steps=64", NULL},
+    {"equiangular", NULL, "method=equiangular steps=256", NULL},
+    {"equiangular", NULL, "method=equiangular steps=1024", NULL},
+    {"segments", NULL, "method=segments", NULL},
+    {"map", NULL, "method=map theta=128", NULL},
+    {"map", NULL, "method=map theta=256", NULL},
+    {"map", NULL, "method=map theta=512", NULL},
+    {"map", NULL, "method=map theta=1024", NULL},
+    {"map", NULL, "method=map theta=2048", NULL},
+    {"map", NULL, "method=map alpha=128", NULL},
+    {"map", NULL, "method=map alpha=256", NULL},
+    {"map", NULL, "method=map alpha=1024", NULL},
+    {"map", NULL, "method=map phi=128", NULL},
+    {"map", NULL, "method=map phi=256", NULL},
+    {"map", NULL, "method=map phi=1024", NULL},
+    {"map", NULL, "method=map map=512", NULL},
+    {"map", NULL, "method=map map=2048", NULL},
+    {"map", NULL, "method=map map=4096", NULL},
+    {"map", NULL, "method=map warp=square", NULL},
+    {"map", NULL, "method=map slices=pixel", NULL},
+    {"map", NULL, "method=map warp=square slices=pixel theta=2048 map=2048", NULL},
+    {"map", NULL, "method=map integral=riemann", NULL},
+    {"map", NULL, "method=map integral=factored", NULL},
+    {"map", NULL, "method=map filter=epipolar", NULL},
+    {"map", NULL, "method=map scan=logstep", NULL},
+    {"conservative", NULL, "method=conservative", NULL},
+    {"rays", NULL, "method=rays phi=128", NULL},
+    {"rays", NULL, "method=rays phi=512", NULL},
+    {NULL, NULL, NULL, NULL},
+};

@@ -1,0 +1,44 @@
+// render: see render.h.
+#include "render.h"
+
+void render_volume(Vsv *vsv, const Query *query, const QueryView *view, bool full, GLuint scratch)
+{
+    const GBuffer *seen = view->gbuffer;
+    const VsvSettings *size = &vsv->settings;
+    const EpipolarFrame frame = epipolar_frame(view->camera, view->light);
+    const float aspect = (float)seen->width / (float)seen->height;
+    const EpipolarRange range =
+        full ? epipolar_range_full(size->alpha, size->theta, size->phi)
+             : epipolar_range_seen(&frame, view->camera, aspect, size->alpha, size->theta, size->phi);
+    vsv_aim(vsv, &frame, &range, view->camera, seen->width, seen->height);
+    if (!query_range(query, vsv, view, !full, scratch)) {
+        vsv_light_all(vsv);
+        return;
+    }
+    vsv_clear(vsv);
+    vsv_voxelize_map(vsv, view->light, view->map);
+    vsv_scan(vsv);
+}
+
+Image render_picture(const Raster *raster, const Scene *scene, const Camera *camera, int width, int height,
+                     const RenderSettings *settings)
+{
+    RasterView view = raster_view_open(raster, scene, width, height, settings->map);
+    RasterTarget target = raster_target_open("airlight to compare with", width, height);
+    Query query =
+        query_open(&settings->asked, &settings->airlight, &settings->volume, view.maps, scene->light_count);
+    raster_view_draw_maps(&view);
+    raster_gbuffer_draw(raster, &view.gbuffer, camera, &view.mesh);
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const QueryView seen = {scene, &scene->lights[i], &view.maps[i], camera, &view.gbuffer};
+        Vsv vsv = vsv_open(&settings->volume, &view.maps[i]);
+        render_volume(&vsv, &query, &seen, settings->full, target.texture);
+        query_airlight(&query, &vsv, &seen, target.texture);
+        vsv_close(&vsv);
+    }
+    Image image = raster_target_read(&target, width, height);
+    query_close(&query);
+    raster_target_close(&target);
+    raster_view_close(&view);
+    return image;
+}
