@@ -144,8 +144,10 @@ Bounds bounds_open(const Scene *scene, const Light *light, int width, int height
         b.reach = fmaxf(b.reach, EXPONENTS / least);
     Bounds bounds = {.edges = add_quads(&b)};
     for (uint32_t i = 0; i < mesh->triangle_count; i++)
-        for (uint32_t k = 0; k < 3; k++) // also those turned away: an open mesh casts by both sides
-            add_vertex(&b, thrown(&b, corner_at(mesh, 3 * i + k)));
+        for (uint32_t k = 0; k < 6; k++) { // also those turned away: an open mesh casts by both sides
+            const vec3 p = corner_at(mesh, 3 * i + k % 3);
+            add_vertex(&b, k < 3 ? p : thrown(&b, p));
+        }
     bounds.shader = shader_open("bounds", NULL, "06_epipolar_vsv/bounds.vert", "06_epipolar_vsv/bounds.frag");
     bounds.vertex_count = (GLsizei)b.count;
     add_vertex(&b, vec3_make(0, 0, 0)); // so that no buffer is empty

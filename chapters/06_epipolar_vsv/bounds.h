@@ -5,8 +5,8 @@
 
 #include "raster.h"
 
-// A light's shadow volumes as triangles: a quad from each edge at which the mesh turns away from the light (or ends) to beyond what can be seen, and each triangle
-// that faces the light once more at their far end. The near ends are surfaces, at which view rays end anyway.
+// A light's shadow volumes as triangles: a quad from each edge at which the mesh turns away from the light (or ends) to beyond what can be seen, and the mesh's
+// triangles at both ends of them.
 typedef struct Bounds {
     Shader *shader;
     GLuint vertices, vertex_array;
