@@ -6,7 +6,7 @@
 static void check_conservative(const char *name)
 {
     SceneBench bench = scene_bench(name, 128, 128, 256);
-    voxels_fill(&bench.voxels, &(TrianglesSettings){.solid = false});
+    voxels_fill(&bench.voxels, &(TrianglesSettings){.method = "conservative"});
     voxels_scan(&bench.voxels);
     const SceneCounts counts = scene_ask(&bench, 20000);
     printf("%s: %zu of %zu dark voxels are lit throughout; of %zu voxels %zu are dark whose middle is lit\n",
@@ -55,7 +55,7 @@ static void check_solid(const char *name, double most_wrong)
     const EpipolarRange *range = &bench.voxels.range;
     bench.voxels.range.alpha_least = 0.0f;
     cr_assert_eq(triangles_open_edges(&bench.scene->mesh), (size_t)0);
-    voxels_fill(&bench.voxels, &(TrianglesSettings){.solid = true});
+    voxels_fill(&bench.voxels, &(TrianglesSettings){.method = "solid"});
     size_t asked = 0, within = 0, wrong = 0;
     for (int n = 0; n < 200000; n++) {
         const int v[3] = {(int)(scene_uniform(&bench) * range->alpha),

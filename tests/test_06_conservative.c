@@ -77,7 +77,7 @@ static void check_voxels(VoxelBench *bench, const char *what)
 
 static void check_all(VoxelBench *bench, const char *what)
 {
-    voxels_fill(bench, &(TrianglesSettings){0});
+    voxels_fill(bench, &(TrianglesSettings){.method = "conservative"});
     check_voxels(bench, what);
     check_points(bench, 500, what);
 }
@@ -209,7 +209,7 @@ Test(conservative, scales)
 static void check_scene(const char *name)
 {
     SceneBench bench = scene_bench(name, 48, 64, 64);
-    voxels_fill(&bench.voxels, &(TrianglesSettings){.solid = false});
+    voxels_fill(&bench.voxels, &(TrianglesSettings){.method = "conservative"});
     voxels_scan(&bench.voxels);
     const SceneCounts counts = scene_ask(&bench, 2000);
     cr_assert(counts.asked > 10000 && counts.dark > 10, "%s: %zu points, %zu dark voxels", name, counts.asked,
@@ -227,4 +227,60 @@ Test(conservative, nothing_lit_is_in_shadow_behind_a_fence)
 Test(conservative, nothing_lit_is_in_shadow_in_a_box)
 {
     check_scene("cornell");
+}
+
+// The paper's way, against the exact one: voxels that one sets and the other does not, as a share of the exact ones.
+typedef struct FlatError {
+    double missing, extra;
+} FlatError;
+static FlatError flat_error(VoxelBench *bench, TriangleSplits splits, int parts)
+{
+    const size_t words =
+        (size_t)bench->range.alpha * (size_t)bench->range.theta * (size_t)bench->range.phi / 32;
+    voxels_fill(bench, &(TrianglesSettings){.method = "conservative"});
+    uint32_t *exact = bench->words;
+    bench->words = NULL;
+    voxels_fill(bench, &(TrianglesSettings){"flat", splits, parts});
+    double missing = 0.0, extra = 0.0, all = 0.0;
+    for (size_t i = 0; i < words; i++) {
+        all += __builtin_popcount(exact[i]);
+        missing += __builtin_popcount(exact[i] & ~bench->words[i]);
+        extra += __builtin_popcount(bench->words[i] & ~exact[i]);
+    }
+    free(exact);
+    return (FlatError){missing / all, extra / all};
+}
+
+// Edges that are straight in space are curved in (α, θ, φ): the more parts, the fewer voxels are missed, but some always are.
+Test(flat, subdivision_closes_in_on_curved_edges)
+{
+    VoxelBench bench = voxels_bench(EYE, LAMP, 64, 64, 64);
+    add_random(&bench, 12, 2.0);
+    const FlatError one = flat_error(&bench, SPLIT_ALL, 1), most = flat_error(&bench, SPLIT_ALL, 16);
+    cr_assert(one.missing > 0.1 && one.extra > 0.1, "one part: %g missing, %g extra", one.missing, one.extra);
+    cr_assert(most.missing < 0.5 * one.missing, "16 parts: %g missing, one: %g", most.missing, one.missing);
+    cr_assert(most.missing > 0.0, "nothing is missing");
+    voxels_close(&bench);
+}
+
+// Section 4.1.1 and figures 9, 10: without the wrap's split a triangle flips over to the wrong slices; without the epipole's it leaves a hole around the axis.
+Test(flat, without_its_splits_light_leaks_and_shadows_come_from_nowhere)
+{
+    VoxelBench bench = voxels_bench(EYE, LAMP, 64, 64, 64);
+    const EpipolarFrame frame = epipolar_frame(&bench.camera, &bench.light);
+    const vec3 middle = EYE - 1.5f * frame.up + 0.5f * frame.axis; // θ = π, where the grid's ends are
+    voxels_add(&bench, middle + 0.4f * frame.side, middle - 0.3f * frame.side, middle + 0.3f * frame.axis);
+    const FlatError split = flat_error(&bench, SPLIT_ALL, 16),
+                    unsplit = flat_error(&bench, SPLIT_EPIPOLE, 16);
+    cr_assert(split.missing < 0.02 && split.extra < 0.05, "wrap split: %g missing, %g extra", split.missing,
+              split.extra);
+    cr_assert(unsplit.missing > 0.1 && unsplit.extra > 0.5, "wrap not split: %g missing, %g extra",
+              unsplit.missing, unsplit.extra);
+    bench.scene.mesh.triangle_count = 0;
+    add_around(&bench, EYE + 0.4f * (LAMP - EYE));
+    const FlatError whole = flat_error(&bench, SPLIT_ALL, 16), holed = flat_error(&bench, SPLIT_WRAP, 16);
+    cr_assert(whole.missing < 0.1, "epipole split: %g missing", whole.missing);
+    cr_assert(holed.missing > whole.missing + 0.05, "epipole not split: %g missing, split: %g", holed.missing,
+              whole.missing);
+    voxels_close(&bench);
 }

@@ -6,7 +6,7 @@ static void check_box(VoxelBench *bench, vec3 lower, vec3 upper, const char *wha
 {
     mesh_add_box(&bench->scene.mesh, lower, upper, 0);
     cr_assert_eq(triangles_open_edges(&bench->scene.mesh), (size_t)0);
-    voxels_fill(bench, &(TrianglesSettings){.solid = true});
+    voxels_fill(bench, &(TrianglesSettings){.method = "solid"});
     size_t inside = 0, wrong = 0, beyond = 0;
     for (int i = 0; i < bench->range.alpha; i++)
         for (int j = 0; j < bench->range.theta; j++)

@@ -8,10 +8,12 @@ static const char *const scenes[] = {"fence", "toroid", "colonnade", "forest",
 
 // clang-format off
 static const RunParameter parameters[] = {
-    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative solid rays march equiangular segments", .shows = "how voxels are found; or the same picture by shadow rays at the grid's angles, or by brute force on the map"},
+    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative flat solid rays march equiangular segments", .shows = "how voxels are found; or the same picture by shadow rays at the grid's angles, or by brute force on the map"},
     {.name = "alpha", .kind = RUN_INTEGER, .least = 1, .most = 4096, .initial = {512}, .unit = "voxels", .shows = "view rays in a slice"},
     {.name = "theta", .kind = RUN_INTEGER, .least = 1, .most = 8192, .initial = {1024}, .unit = "voxels", .shows = "slices about the line from eye to light"},
     {.name = "phi", .kind = RUN_CHOICE, .choices = "512 128 256 1024", .shows = "light rays in a slice"},
+    {.name = "split", .kind = RUN_CHOICE, .choices = "all none wrap epipole", .shows = "flat: which triangles are split: across the ends of θ, around the line from eye to light"},
+    {.name = "parts", .kind = RUN_INTEGER, .least = 1, .most = 16, .initial = {8}, .unit = "parts", .shows = "flat: how finely a triangle's edge is subdivided at most"},
     {.name = "warp", .kind = RUN_CHOICE, .choices = "even square", .shows = "how light rays are spread over a slice"},
     {.name = "slices", .kind = RUN_CHOICE, .choices = "uniform pixel", .shows = "slices at equal angles, or at most a pixel apart"},
     {.name = "range", .kind = RUN_CHOICE, .choices = "seen full", .shows = "what the grid covers: what the picture shows, or all angles"},

@@ -36,13 +36,15 @@ Technique technique_open(const Run *run, const RasterView *view)
 {
     const size_t lights = view->scene->light_count;
     Technique t = {.geometric = triangles_method(run_choice(run, "method")),
+                   .solid = run_chosen(run, "method", "solid"),
                    .seen = run_chosen(run, "range", "seen"),
                    .size = {.alpha = run_integer(run, "alpha"),
                             .theta = run_integer(run, "theta"),
                             .phi = atoi(run_choice(run, "phi")),
                             .scan = run_choice(run, "scan"),
                             .warp = run_choice(run, "warp"),
-                            .slices = run_choice(run, "slices")},
+                            .slices = run_choice(run, "slices"),
+                            .shape = run_choice(run, "shape")},
                    .asked = {.integral = run_choice(run, "integral"),
                              .slice = atoi(run_choice(run, "slice")),
                              .filtered = run_chosen(run, "filter", "epipolar"),
@@ -53,8 +55,10 @@ Technique technique_open(const Run *run, const RasterView *view)
     t.airlight = airlight_settings(run, t.brute);
     check_settings(run, &t);
     if (t.geometric) {
-        t.triangles = triangles_open(&(TrianglesSettings){.solid = run_chosen(run, "method", "solid")});
-        if (t.triangles.settings.solid)
+        t.triangles = triangles_open(&(TrianglesSettings){run_choice(run, "method"),
+                                                          triangles_splits(run_choice(run, "split")),
+                                                          run_integer(run, "parts")});
+        if (t.solid)
             triangles_need_closed(view->scene);
     }
     t.vsv = memory_new(lights + 1, sizeof *t.vsv, "volumes");
@@ -104,7 +108,7 @@ static void aim(const Technique *technique, Vsv *vsv, const QueryView *asked)
                               ? epipolar_range_seen(&frame, asked->camera, (float)width / (float)height,
                                                     size->alpha, size->theta, size->phi)
                               : epipolar_range_full(size->alpha, size->theta, size->phi);
-    if (technique->triangles.settings.solid)
+    if (technique->solid)
         range.alpha_least = 0.0f; // see triangles.h
     vsv_aim(vsv, &frame, &range, asked->camera, width, height);
 }

@@ -10,6 +10,7 @@ typedef struct Technique {
     bool brute;     // on the map: no volume at all
     bool by_rays;   // shadow rays at the volume's angles: no voxels
     bool geometric; // voxels come from triangles, else from the light's map
+    bool solid;     // and hold what is inside
     bool seen;      // the grids cover what the picture shows
     VsvSettings size;
     QuerySettings asked;

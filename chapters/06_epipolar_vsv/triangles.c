@@ -3,10 +3,12 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
-    GROUP = 64,    // invocations, as items.glsl has it
-    ROOM = 1 << 16 // items at first
+    GROUP = 64, // invocations, as items.glsl has it
+    ITEM_WORDS = 3,
+    ROOM = 1 << 18 // words of items at first
 };
 // storage buffers' bindings, as the shaders have them
 enum { VOXELS = 1, FIRST, ITEMS = 4, BOUNDARIES, POSITIONS, INDICES, SLICE_ANGLES, COUNTS };
@@ -15,22 +17,41 @@ Triangles triangles_open(const TrianglesSettings *settings)
 {
     return (Triangles){
         .settings = *settings,
-        .extent =
-            shader_open("extents of triangles", settings->solid ? "KEEP_BEYOND true" : "KEEP_BEYOND false",
-                        "06_epipolar_vsv/extent.comp"),
-        .fill = settings->solid
-                    ? shader_open("solid voxels", NULL, "06_epipolar_vsv/solid.comp")
-                    : shader_open("conservative voxels", NULL, "06_epipolar_vsv/conservative.comp"),
         .counts = gl_buffer(.label = "triangles' counts", .bytes = sizeof(TrianglesCounts)),
-        .items = gl_buffer(.label = "triangles' items", .bytes = ROOM * sizeof(uint32_t[2])),
-        .item_room = ROOM,
+        .items = gl_buffer(.label = "triangles' items", .bytes = ROOM * sizeof(uint32_t)),
+        .item_room = ROOM / ITEM_WORDS,
     };
+}
+
+static bool chosen(const Triangles *triangles, const char *method)
+{
+    return strcmp(triangles->settings.method, method) == 0;
+}
+
+static void compile(Triangles *triangles, const TrianglesGrid *grid)
+{
+    const bool infinite = grid->frame->at_infinity, flat = chosen(triangles, "flat");
+    if (triangles->fill[infinite])
+        return;
+    char *definitions = text_format("EPIPOLE_AT_INFINITY %d\nWARP %d\nKEEP_BEYOND %s", infinite,
+                                    grid->phi_squared, chosen(triangles, "solid") ? "true" : "false");
+    triangles->extent[infinite] =
+        flat ? shader_open("extents of parts", definitions, "06_epipolar_vsv/flat_extent.comp")
+             : shader_open("extents of triangles", definitions, "06_epipolar_vsv/extent.comp");
+    triangles->fill[infinite] =
+        flat ? shader_open("flat voxels", definitions, "06_epipolar_vsv/flat.comp")
+        : chosen(triangles, "solid")
+            ? shader_open("solid voxels", definitions, "06_epipolar_vsv/solid.comp")
+            : shader_open("conservative voxels", definitions, "06_epipolar_vsv/conservative.comp");
+    free(definitions);
 }
 
 void triangles_close(Triangles *triangles)
 {
-    shader_close(triangles->extent);
-    shader_close(triangles->fill);
+    for (int i = 0; i < 2; i++) {
+        shader_close(triangles->extent[i]);
+        shader_close(triangles->fill[i]);
+    }
     gl_buffer_delete(&triangles->boundaries);
     gl_buffer_delete(&triangles->slice_angles);
     gl_buffer_delete(&triangles->counts);
@@ -154,10 +175,14 @@ static void use(const Shader *shader, const Triangles *triangles, const RasterMe
 {
     shader_use(shader);
     set_grid(shader, grid);
+    shader_set_double(shader, "first_angle", (double)grid->range->theta_least);
+    shader_set_int(shader, "splits", (int)triangles->settings.splits);
+    shader_set_int(shader, "parts_most", triangles->settings.parts);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, POSITIONS, mesh->positions);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, INDICES, mesh->indices);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, ITEMS, triangles->items);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, BOUNDARIES, triangles->boundaries);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, SLICE_ANGLES, triangles->slice_angles);
 }
 
 //[list
@@ -165,25 +190,27 @@ static void use(const Shader *shader, const Triangles *triangles, const RasterMe
 void triangles_list(Triangles *triangles, const RasterMesh *mesh, const TrianglesGrid *grid)
 {
     const uint32_t count = (uint32_t)mesh->index_count / 3;
+    const uint32_t rows = chosen(triangles, "flat") ? (uint32_t)triangles->settings.parts : 1;
+    compile(triangles, grid);
+    const Shader *shader = triangles->extent[grid->frame->at_infinity];
     triangles->counted = (TrianglesCounts){0};
     for (bool fits = count == 0; !fits;) {
         gl.ClearNamedBufferData(triangles->counts, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
-        use(triangles->extent, triangles, mesh, grid);
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, SLICE_ANGLES, triangles->slice_angles);
+        use(shader, triangles, mesh, grid);
         gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, COUNTS, triangles->counts);
-        shader_set_uint(triangles->extent, "triangle_count", count);
-        shader_set_uint(triangles->extent, "item_count", triangles->item_room);
-        shader_set_double(triangles->extent, "first_angle", (double)grid->range->theta_least);
-        dispatch(count);
+        shader_set_uint(shader, "triangle_count", count);
+        shader_set_uint(shader, "item_count", triangles->item_room);
+        dispatch(count * rows);
         gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
         gl_buffer_read(triangles->counts, 0, sizeof triangles->counted, &triangles->counted);
         fits = triangles->counted.items <= triangles->item_room;
         if (!fits) {
             triangles->item_room = triangles->counted.items;
             gl_buffer_delete(&triangles->items);
-            triangles->items = gl_buffer(.label = "triangles' items",
-                                         .bytes = memory_bytes(triangles->item_room, sizeof(uint32_t[2]),
-                                                               "triangles' items"));
+            triangles->items =
+                gl_buffer(.label = "triangles' items",
+                          .bytes = memory_bytes(triangles->item_room, ITEM_WORDS * sizeof(uint32_t),
+                                                "triangles' items"));
         }
     }
 }
@@ -194,10 +221,11 @@ void triangles_fill(const Triangles *triangles, const RasterMesh *mesh, const Tr
 {
     if (triangles->counted.items == 0)
         return;
-    use(triangles->fill, triangles, mesh, grid);
+    const Shader *shader = triangles->fill[grid->frame->at_infinity];
+    use(shader, triangles, mesh, grid);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, VOXELS, voxels);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, FIRST, first);
-    shader_set_uint(triangles->fill, "item_count", triangles->counted.items);
+    shader_set_uint(shader, "item_count", triangles->counted.items);
     dispatch(triangles->counted.items);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }

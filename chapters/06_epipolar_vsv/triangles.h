@@ -22,7 +22,9 @@ typedef enum TriangleSplits {
 } TriangleSplits;
 
 typedef struct TrianglesSettings {
-    bool solid;
+    const char *method;    // conservative flat solid
+    TriangleSplits splits; // flat
+    int parts;             // flat: into how many an edge is cut at most, 1 to 16
 } TrianglesSettings;
 
 // What a listing counted: triangles that make no item since nothing of them is in the grid's range or shadows it; pieces of work.
@@ -32,7 +34,7 @@ typedef struct TrianglesCounts {
 
 typedef struct Triangles {
     TrianglesSettings settings;
-    Shader *extent, *fill;
+    Shader *extent[2], *fill[2]; // [1]: of a light at infinity; compiled when first used
     GLuint boundaries, slice_angles, counts, items;
     uint32_t item_room;
     TrianglesCounts counted;

@@ -6,7 +6,15 @@
 
 bool triangles_method(const char *method)
 {
-    return strcmp(method, "conservative") == 0 || strcmp(method, "solid") == 0;
+    return strcmp(method, "conservative") == 0 || strcmp(method, "flat") == 0 || strcmp(method, "solid") == 0;
+}
+
+TriangleSplits triangles_splits(const char *split)
+{
+    return strcmp(split, "all") == 0       ? SPLIT_ALL
+           : strcmp(split, "wrap") == 0    ? SPLIT_WRAP
+           : strcmp(split, "epipole") == 0 ? SPLIT_EPIPOLE
+                                           : SPLIT_NONE;
 }
 
 // The volume's slices where they are not even; NULL where they are. New memory.
@@ -33,6 +41,7 @@ void triangles_vsv_list(Triangles *triangles, const RasterMesh *mesh, const Vsv 
 void triangles_vsv_fill(const Triangles *triangles, const RasterMesh *mesh, const Vsv *vsv,
                         const Light *light)
 {
-    const TrianglesGrid grid = {.frame = &vsv->frame, .range = &vsv->range, .light = light};
+    const TrianglesGrid grid = {&vsv->frame, &vsv->range, light, NULL,
+                                strcmp(vsv->settings.warp, "square") == 0};
     triangles_fill(triangles, mesh, &grid, vsv->voxels, vsv->first);
 }

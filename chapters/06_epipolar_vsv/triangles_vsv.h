@@ -7,6 +7,7 @@
 
 // Whether the method's voxels come from triangles.
 bool triangles_method(const char *method);
+TriangleSplits triangles_splits(const char *split); // all none wrap epipole
 // The volume has been aimed and cleared. What was counted is in triangles->counted.
 void triangles_vsv_list(Triangles *triangles, const RasterMesh *mesh, const Vsv *vsv, const Light *light);
 void triangles_vsv_fill(const Triangles *triangles, const RasterMesh *mesh, const Vsv *vsv,

@@ -34,7 +34,16 @@ Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
     vsv.borders =
         gl_buffer(.label = "borders of slices", .bytes = ((size_t)settings->theta + 1) * sizeof(float));
     char *spread = vsv_definitions(settings);
-    char *definitions = text_format("%s\nMAP_KIND %d", spread, (int)map->kind);
+    const bool halves = strcmp(settings->shape, "paraboloid") == 0;
+    if (halves && map->kind != LIGHT_POINT)
+        fail_request("--set shape=paraboloid: is for maps of all directions; this light's map covers its "
+                     "cone or the scene alone");
+    if (halves) {
+        vsv.halves = gl_texture(.label = "two paraboloids", .target = GL_TEXTURE_2D_ARRAY, .format = GL_R32F,
+                                .width = map->resolution, .height = map->resolution, .depth = 2);
+        vsv.to_halves = shader_open("to paraboloids", NULL, "06_epipolar_vsv/paraboloid.comp");
+    }
+    char *definitions = text_format("%s\nMAP_KIND %d\nPARABOLOID %d", spread, (int)map->kind, halves);
     vsv.resample = shader_open("resample", definitions, "06_epipolar_vsv/resample.comp");
     if (steps) {
         vsv.scan[VSV_UP] = shader_open("scan, up", NULL, "06_epipolar_vsv/scan_up.comp");
@@ -51,10 +60,12 @@ Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
 void vsv_close(Vsv *vsv)
 {
     gl_texture_delete(&vsv->texels);
+    gl_texture_delete(&vsv->halves);
     gl_buffer_delete(&vsv->voxels);
     gl_buffer_delete(&vsv->first);
     gl_buffer_delete(&vsv->slices);
     gl_buffer_delete(&vsv->borders);
+    shader_close(vsv->to_halves);
     shader_close(vsv->resample);
     for (int i = 0; i < VSV_SCANS; i++)
         shader_close(vsv->scan[i]);
@@ -105,6 +116,14 @@ void vsv_voxelize_map(const Vsv *vsv, const Light *light, const DepthMap *map)
     const vec3 eye_from_origin = vsv->frame.eye - map->origin;
     vsv_bind(vsv, vsv->resample);
     gl.BindImageTexture(2, map->distance, 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32F);
+    if (vsv->to_halves) {
+        const GLuint groups = (GLuint)(map->resolution + 7) / 8;
+        gl.BindImageTexture(1, vsv->halves, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
+        shader_use(vsv->to_halves);
+        gl.DispatchCompute(groups, groups, 2);
+        gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+        gl.BindImageTexture(2, vsv->halves, 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32F);
+    }
     shader_use(vsv->resample);
     shader_set_mat4(vsv->resample, "to_clip", (const float *)&map->to_clip);
     shader_set_vec3(vsv->resample, "eye_from_origin", (const float *)&eye_from_origin);

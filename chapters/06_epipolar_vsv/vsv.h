@@ -16,6 +16,7 @@ typedef struct VsvSettings {
     const char *scan;      // columns logstep
     const char *warp;      // of φ: even square
     const char *slices;    // of θ: uniform pixel
+    const char *shape;     // of a point light's map: cube paraboloid
 } VsvSettings;
 
 enum { VSV_COLUMNS, VSV_UP, VSV_DOWN, VSV_SLICES, VSV_SCANS }; // shaders of the scan
@@ -27,7 +28,8 @@ typedef struct Vsv {
     size_t bytes;       // of all levels
     LightKind kind;     // of the light's map
     GLuint voxels, texels, first, slices, borders; // texels: voxels as RGBA32UI
-    Shader *resample, *scan[VSV_SCANS];
+    GLuint halves;                                 // of the paraboloids
+    Shader *to_halves, *resample, *scan[VSV_SCANS];
     EpipolarFrame frame;
     EpipolarRange range;
 } Vsv;

@@ -56,18 +56,6 @@ Range range_between(int column, double wide, double slack)
 }
 //]
 
-//[bits
-void set_bits(int column, int slice, ivec2 bits)
-{
-    for (int word = bits.x >> 5; word <= bits.y >> 5; word++) {
-        uint mask = word == bits.x >> 5 ? 0xffffffffu << (bits.x & 31) : 0xffffffffu;
-        if (word == bits.y >> 5)
-            mask &= 0xffffffffu >> (31 - (bits.y & 31));
-        voxels_set(column, slice, word, mask);
-    }
-}
-//]
-
 //[columns
 void main()
 {
@@ -92,7 +80,7 @@ void main()
         if (range.all)
             bits = ivec2(0, epipolar_count.z - 1);
         if (bits.x < epipolar_count.z && bits.y >= 0)
-            set_bits(column, slice, clamp(bits, 0, epipolar_count.z - 1));
+            voxels_set_row(column, slice, clamp(bits, 0, epipolar_count.z - 1));
     }
 }
 //]

@@ -1,14 +1,10 @@
 // extent: which slices and columns a triangle can touch, as items for conservative.comp and solid.comp. What lies outside of what the grid covers makes none.
 #include "06_epipolar_vsv/wedge.glsl"
-#include "06_epipolar_vsv/items.glsl"
-
-layout(std430, binding = 8) readonly buffer SliceAngles { float slice_angles[]; }; // from the first slice's beginning on, radians; one more than slices
-layout(std430, binding = 9) buffer Counts { uint item_total, outside; };
-uniform uint triangle_count;
-uniform double first_angle;
+uniform double first_angle; // θ where the first slice begins
+#include "06_epipolar_vsv/item_list.glsl"
 
 // θ is told in single precision here, and only has to be told generously: the wedge itself is cut exactly.
-const float ANGLE_DOUBT = 1e-5, TWO_PI = 6.28318531;
+const float ANGLE_DOUBT = 1e-5;
 const double ON_AXIS = DOUBT / ANGLE_DOUBT; // nearer, and the doubt about a corner is more than that about its θ
 
 //[sweep
@@ -28,28 +24,6 @@ vec2 sweep(dvec3 a, dvec3 b, dvec3 c)
     return vec2(theta.x + ends.x, ends.y - ends.x);
 }
 //]
-
-// Slices that [from, to] (angles from the first slice's beginning, 0 to 2π) touches; none where last < first.
-ivec2 slices_in(float from, float to)
-{
-    ivec2 below = ivec2(0), above = ivec2(epipolar_count.y + 1);
-    for (int halves = epipolar_count.y + 1; halves > 0; halves /= 2) {
-        ivec2 middle = min((below + above) / 2, ivec2(epipolar_count.y));
-        bvec2 open = lessThan(below, above), passed = bvec2(slice_angles[middle.x] < from, slice_angles[middle.y] <= to);
-        below = ivec2(open.x && passed.x ? middle.x + 1 : below.x, open.y && passed.y ? middle.y + 1 : below.y);
-        above = ivec2(open.x && !passed.x ? middle.x : above.x, open.y && !passed.y ? middle.y : above.y);
-    }
-    return ivec2(max(below.x - 1, 0), min(below.y - 1, epipolar_count.y - 1));
-}
-
-void add_items(uint triangle, ivec2 slices, ivec2 stretches)
-{
-    int across = stretches.y - stretches.x + 1, count = max(slices.y - slices.x + 1, 0) * across;
-    uint at = atomicAdd(item_total, uint(count));
-    for (int i = 0; i < count; i++)
-        if (at + uint(i) < item_count)
-            items[at + uint(i)] = Item(triangle, uint(slices.x + i / across) | uint(stretches.x + i % across) << 16);
-}
 
 void main()
 {
@@ -76,16 +50,6 @@ void main()
         }
         columns = clamp(columns, 0, epipolar_count.x - 1);
     }
-    float from = arc.x - float(first_angle) - ANGLE_DOUBT, width = arc.y + 2.0 * ANGLE_DOUBT;
-    from -= TWO_PI * floor(from / TWO_PI);
-    bool all = width >= TWO_PI;
-    ivec2 slices = slices_in(all ? 0.0 : from, all ? TWO_PI : from + width);
-    ivec2 wrapped = all || from + width < TWO_PI ? ivec2(0, -1) : slices_in(0.0, from + width - TWO_PI);
-    wrapped.y = min(wrapped.y, slices.x - 1); // no slice twice
-    if (slices.y < slices.x && wrapped.y < wrapped.x) {
+    if (!add_arc(triangle, 0u, arc.x - ANGLE_DOUBT, arc.y + 2.0 * ANGLE_DOUBT, columns / STRETCH))
         atomicAdd(outside, 1u);
-        return;
-    }
-    add_items(triangle, slices, columns / STRETCH);
-    add_items(triangle, wrapped, columns / STRETCH);
 }

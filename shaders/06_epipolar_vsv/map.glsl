@@ -2,6 +2,7 @@
 #ifndef MAP_GLSL
 #define MAP_GLSL
 #include "common/shadow.glsl"
+#include "common/paraboloid.glsl"
 
 #define CUBE 0
 #define SPOT 1
@@ -17,7 +18,7 @@ uniform vec3 light_direction;
 
 //[first_hit
 // Metres from the light; for a directional light from the plane at right angles to its axis through the eye, towards the light. Infinite: nothing is hit,
-// or the map does not know. Returned beside it: 1 where it knows.
+// or the map does not know.
 float map_first_hit(float theta, float phi)
 {
 #if MAP_KIND == DIRECTIONAL
@@ -32,6 +33,9 @@ float map_first_hit(float theta, float phi)
     vec2 place = clip.xy / max(clip.w, 1e-30);
     float stored = imageLoad(depth_map, shadow_texel(place, imageSize(depth_map))).x;
     return clip.w <= 0.0 || any(greaterThan(abs(place), vec2(1.0))) ? 1.0 / 0.0 : stored;
+#elif PARABOLOID
+    int side = paraboloid_half(direction);
+    return imageLoad(depth_map, ivec3(shadow_texel(paraboloid_place(side, direction), imageSize(depth_map).xy), side)).x;
 #else
     int face = cube_face(direction);
     vec3 on_face = cube_on_face(face, direction);
