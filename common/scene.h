@@ -88,6 +88,10 @@ uint32_t mesh_add_vertex(Mesh *mesh, vec3 position, vec3 normal);
 void mesh_add_triangle(Mesh *mesh, uint32_t a, uint32_t b, uint32_t c, uint32_t material);
 void mesh_add_quad(Mesh *mesh, vec3 corner, vec3 edge_u, vec3 edge_v, uint32_t material); // faces u × v
 void mesh_add_box(Mesh *mesh, vec3 lower, vec3 upper, uint32_t material);
+// A number for each vertex, the same for the same place and in the places' own order: a mesh repeats a vertex for each normal that it has there. New memory.
+uint32_t *mesh_places(const Mesh *mesh);
+// Edges that do not belong to an even number of triangles, which are 3 of those numbers each: 0 for a closed mesh.
+size_t mesh_odd_edges(const uint32_t *corners, size_t triangle_count);
 void scene_add_light(Scene *scene, Light light);
 // Look at the whole scene from `direction` (towards the eye) with this field of view.
 void scene_aim_camera(Scene *scene, vec3 direction, float vertical_fov_rad);

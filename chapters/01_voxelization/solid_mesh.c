@@ -3,25 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct Corner {
-    float position[3];
-    uint32_t vertex;
-} Corner;
-
 // A triangle by its corners in space, turned so that the least comes first: a turn keeps the winding.
 typedef struct Face {
     uint32_t corner[3]; // numbers of places
     uint32_t vertex[3];
 } Face;
-
-static int by_place(const void *a, const void *b)
-{
-    const float *p = ((const Corner *)a)->position, *q = ((const Corner *)b)->position;
-    for (int k = 0; k < 3; k++)
-        if (p[k] != q[k])
-            return p[k] < q[k] ? -1 : 1;
-    return 0;
-}
 
 // Of the corners alone, whichever way they wind: 0 least, 1 and 2 in their order.
 static int by_corners(const Face *f, const Face *g)
@@ -43,36 +29,11 @@ static int by_corners_and_winding(const void *a, const void *b)
     return order != 0 ? order : winding - other;
 }
 
-static int by_number(const void *a, const void *b)
-{
-    uint64_t m = *(const uint64_t *)a, n = *(const uint64_t *)b;
-    return m < n ? -1 : m > n;
-}
-
-// A number for each vertex, the same for the same place and in the places' own order. A mesh repeats a vertex for each normal that it has there.
-static uint32_t *number_places(const Mesh *mesh)
-{
-    Corner *corners = memory_new(mesh->vertex_count + 1, sizeof *corners, "the corners of a solid");
-    uint32_t *number = memory_new(mesh->vertex_count + 1, sizeof *number, "the corners of a solid");
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        corners[i].vertex = (uint32_t)i;
-        memcpy(corners[i].position, mesh->positions + 3 * i, sizeof corners[i].position);
-    }
-    qsort(corners, mesh->vertex_count, sizeof *corners, by_place);
-    uint32_t last = 0;
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        last += i > 0 && by_place(&corners[i - 1], &corners[i]) != 0;
-        number[corners[i].vertex] = last;
-    }
-    free(corners);
-    return number;
-}
-
 // Sorted, each once; *count becomes how many are left. Which copy stays makes no difference: only corners count.
 static Face *unique_faces(const Mesh *mesh, size_t *count)
 {
     Face *faces = memory_new(mesh->triangle_count + 1, sizeof *faces, "the triangles of a solid");
-    uint32_t *number = number_places(mesh);
+    uint32_t *number = mesh_places(mesh);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         const uint32_t *index = mesh->indices + 3 * i;
         size_t least = 0;
@@ -103,19 +64,11 @@ static size_t count_back_to_back(const Face *faces, size_t count)
 
 static size_t count_odd_edges(const Face *faces, size_t count)
 {
-    uint64_t *edges = memory_new(3 * count + 1, sizeof *edges, "the edges of a solid");
-    for (size_t i = 0; i < 3 * count; i++) {
-        uint64_t a = faces[i / 3].corner[i % 3], b = faces[i / 3].corner[(i + 1) % 3];
-        edges[i] = a < b ? a << 32 | b : b << 32 | a;
-    }
-    qsort(edges, 3 * count, sizeof *edges, by_number);
-    size_t odd = 0;
-    for (size_t i = 0, next; i < 3 * count; i = next) {
-        for (next = i + 1; next < 3 * count && edges[next] == edges[i];)
-            next++;
-        odd += (next - i) & 1;
-    }
-    free(edges);
+    uint32_t *corners = memory_new(3 * count + 1, sizeof *corners, "the edges of a solid");
+    for (size_t i = 0; i < 3 * count; i++)
+        corners[i] = faces[i / 3].corner[i % 3];
+    const size_t odd = mesh_odd_edges(corners, count);
+    free(corners);
     return odd;
 }
 

@@ -52,7 +52,10 @@ Technique technique_open(const Run *run, const RasterView *view)
     t.by_rays = run_chosen(run, "method", "rays");
     t.brute = !t.by_rays && !t.geometric && !run_chosen(run, "method", "map");
     t.rays = t.by_rays ? rays_open(&view->scene->mesh) : NULL;
+    t.bounded = run_chosen(run, "method", "bounds");
     t.airlight = airlight_settings(run, t.brute);
+    if (t.bounded)
+        t.airlight.shader = "06_epipolar_vsv/bounds.comp";
     check_settings(run, &t);
     if (t.geometric) {
         t.triangles = triangles_open(&(TrianglesSettings){run_choice(run, "method"),
@@ -63,6 +66,10 @@ Technique technique_open(const Run *run, const RasterView *view)
     }
     t.vsv = memory_new(lights + 1, sizeof *t.vsv, "volumes");
     t.at_eye = memory_new(lights + 1, sizeof *t.at_eye, "volumes");
+    t.bounds = memory_new(lights + 1, sizeof *t.bounds, "bounds");
+    for (size_t i = 0; i < lights && t.bounded; i++)
+        t.bounds[i] =
+            bounds_open(view->scene, &view->scene->lights[i], view->gbuffer.width, view->gbuffer.height);
     if (t.brute && !t.asked.textured) {
         t.march = airlight_open(&t.airlight, view->maps, lights);
         return t;
@@ -84,6 +91,9 @@ void technique_close(Technique *technique, size_t lights)
         vsv_close(&technique->vsv[i]);
     free(technique->vsv);
     free(technique->at_eye);
+    for (size_t i = 0; i < lights && technique->bounded; i++)
+        bounds_close(&technique->bounds[i]);
+    free(technique->bounds);
     triangles_close(&technique->triangles);
     rays_close(technique->rays);
     airlight_close(&technique->march);
@@ -177,6 +187,9 @@ static void draw_rays(Run *run, const Technique *technique, size_t light, const 
 
 void technique_moved(Technique *technique, const Scene *scene)
 {
+    if (technique->bounded)
+        fail_request(
+            "--set method=bounds: its shadow volumes stand still; --path deform goes with the other methods");
     if (technique->by_rays) {
         rays_close(technique->rays);
         technique->rays = rays_open(&scene->mesh);
@@ -193,6 +206,10 @@ void technique_airlight(const Technique *technique, Run *run, const RasterView *
         const QueryView asked = technique_view(view, camera, i);
         if (technique->brute && volume)
             aim(technique, &technique->vsv[i], &asked);
+        if (technique->bounded) {
+            bounds_draw(&technique->bounds[i], camera, view->gbuffer.width, view->gbuffer.height);
+            run_count(run, "edges", (double)technique->bounds[i].edges);
+        }
         if (technique->by_rays)
             draw_rays(run, technique, i, &asked, picture);
         else if (volume)

@@ -99,7 +99,7 @@ vec3 integral_of(Ray ray, Query query, Row row, inout uint fetches)
             int lit = to - from - bitCount(bitfieldExtract(texel[k >> 5], (k & 31) + from, to - from));
             float near = border_phi(query, place + from), width = border_phi(query, place + to) - near, middle = near + 0.5 * width;
             if (lit > 0)
-                sum += float(lit) / float(to - from) * width * sample_phi(ray, query, middle) * light_texture(epipolar_theta_at(float(row.at.y) + 0.5), middle);
+                sum += float(lit) / float(to - from) * width * sample_phi(ray, query, middle) * light_texture(query.theta, middle);
         }
     }
     // what is lit throughout needs no sum

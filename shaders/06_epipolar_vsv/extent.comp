@@ -44,10 +44,13 @@ void main()
         double wide = 1.0 / cos(0.5 * arc.y + ANGLE_DOUBT), slack = DOUBT * reach_of(a, b, c);
         columns = polygon_touches(0, wide, slack);
         ivec2 bits = polygon_touches(2, wide, slack);
+#if !EVERYTHING
+        // Behind all view rays it shades nothing that is seen; before or beyond the light rays' range neither, but a solid's far side says where its inside begins.
         if (columns.x >= epipolar_count.x || bits.y < 0 || (bits.x >= epipolar_count.z && !KEEP_BEYOND)) {
             atomicAdd(outside, 1u);
             return;
         }
+#endif
         columns = clamp(columns, 0, epipolar_count.x - 1);
     }
     if (!add_arc(triangle, 0u, arc.x - ANGLE_DOUBT, arc.y + 2.0 * ANGLE_DOUBT, columns / STRETCH))
