@@ -136,6 +136,9 @@ void technique_voxels(Technique *technique, Run *run, const RasterView *view, co
     if (run_pass(run, "range", needed, needs->why_not)) {
         const bool apart = query_range(&technique->query, vsv, &asked, technique->seen, picture);
         technique->at_eye[light] = !apart;
+        // what the same spacing would take for all angles
+        const double turns = 2.0 * M_PI / (double)vsv->range.theta_span;
+        run_skipped(run, round(vsv->settings.theta * (turns - 1.0)), round(vsv->settings.theta * turns));
     }
     const bool apart = !technique->at_eye[light], filled = needed && apart && !technique->by_rays;
     const char *why_not = technique->by_rays ? NO_GRID : apart ? needs->why_not : AT_EYE;

@@ -43,6 +43,7 @@ float border_along(Ray ray, Query query, int place)
 // The next voxel at or after `place` that is lit, or not; query.last where there is none. A word is looked at whole.
 int next_voxel(Query query, Row row, int place, bool lit, inout uint fetches)
 {
+    int from = place;
 #if EVERYTHING
     int last = epipolar_count.z; // also what lies behind the ray's end, for nothing
 #else
@@ -58,6 +59,9 @@ int next_voxel(Query query, Row row, int place, bool lit, inout uint fetches)
         place = rest != 0u ? (place & ~31) + findLSB(rest) : (place & ~31) + 32;
         found = rest != 0u || place >= last;
     }
+#if EVERYTHING
+    place = row.lit ? lit ? from : query.last : place;
+#endif
     return min(place, query.last);
 }
 
