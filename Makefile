@@ -53,7 +53,7 @@ SOURCES  := $(wildcard common/*.c common/*.cpp chapters/*/*.c tests/*.c tests/to
 
 # What a tree that was handed out lacks (tests/tools/handout.sh), said in one line.
 OF_AUTHORS := exercises record handout grade margins test-exercise-mutants check-times test test-now test-all test-slow test-clang test-mutants \
-  test-readme sanitize lessons lessons-check pictures figures format lint compile_commands.json
+  test-readme sanitize lessons lessons-check pictures figures worst format lint compile_commands.json
 ifeq ($(wildcard solutions),)
 ifneq ($(filter $(OF_AUTHORS),$(MAKECMDGOALS)),)
 $(error make $(firstword $(filter $(OF_AUTHORS),$(MAKECMDGOALS))) needs solutions and tests, and this tree was handed out without them; make next says what to do here)
@@ -124,7 +124,11 @@ $(BUILD)/only/test_report: | $(BUILD)/report
 # The proof that gl and shader stand alone: nothing else is linked.
 $(BUILD)/triangle: $(OBJ)/tests/triangle.c.o $(call objects,common/base*.c common/gl*.c common/shader*.c)
 	$(call LINK)
-$(patsubst tests/tools/%.c,$(BUILD)/%,$(wildcard tests/tools/*.c)): $(BUILD)/%: $(OBJ)/tests/tools/%.c.o $(BUILD)/libcommon.a
+# It runs chapter 04's own methods.
+$(BUILD)/worst: $(OBJ)/tests/tools/worst.c.o $(call objects,chapters/04_airlight/closed_form.c chapters/04_airlight/scenes.c) $(BUILD)/libcommon.a
+	$(call LINK)
+$(BUILD)/test_slow $(BUILD)/only/slow_04_airlight: | $(BUILD)/worst
+$(patsubst tests/tools/%.c,$(BUILD)/%,$(filter-out %/worst.c,$(wildcard tests/tools/*.c))): $(BUILD)/%: $(OBJ)/tests/tools/%.c.o $(BUILD)/libcommon.a
 	$(call LINK)
 
 # --- exercises ------------------------------------------------------------------------------------------------------------
@@ -263,6 +267,8 @@ pictures: $(PROGRAMS) ## render the lessons' pictures (chapters/NN_name/pictures
 	@for chapter in $(CHAPTERS); do sh tests/tools/pictures.sh $(BUILD)/$$chapter chapters/$$chapter || exit 1; done
 figures: $(PROGRAMS) $(BUILD)/figure ## measure each chapter's sweep and stability table and draw them (chapters/NN_name/figures.txt)
 	@for chapter in $(CHAPTERS); do sh tests/tools/figures.sh $(BUILD) $$chapter || exit 1; done
+worst: $(BUILD)/worst ## search 100 000 random rays for the worst views of chapter 04's methods: its stability table's last rows
+	@$< > chapters/04_airlight/worst.inc.tmp && mv chapters/04_airlight/worst.inc.tmp chapters/04_airlight/worst.inc
 report: $(PROGRAMS) $(BUILD)/report ## measure every chapter, at most 10 minutes each, write out/report/index.html; goes on where it stopped. QUICK=1: 5 minutes in all, FULL=1: the widest
 	@sh tests/tools/report.sh $(BUILD) out/report chapters $(CHAPTERS)
 
@@ -283,4 +289,4 @@ help: ## this list
 
 -include $(patsubst %.o,%.d,$(COMMON) $(call objects,chapters/*/*.c tests/*.c tests/tools/*.c tests/grade/*.c tests/report/*.c))
 .PHONY: all test test-now test-all test-slow test-clang test-mutants test-readme sanitize run run-now deps deps-test deps-book \
-  grade test-exercise-mutants check-times margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures report format lint clean help FORCE
+  grade test-exercise-mutants check-times margins next progress check watch hint solution exercises record handout lessons lessons-check pictures figures worst report format lint clean help FORCE

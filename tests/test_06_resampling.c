@@ -14,8 +14,13 @@ static Scene *open_scene(const char *name)
 
 static void check(const char *name, int map, int stride, double least, double most)
 {
-    static const VsvSettings settings = {
-        .alpha = 64, .theta = 64, .phi = 128, .scan = "columns", .warp = "even", .slices = "uniform"};
+    static const VsvSettings settings = {.alpha = 64,
+                                         .theta = 64,
+                                         .phi = 128,
+                                         .scan = "columns",
+                                         .warp = "even",
+                                         .slices = "uniform",
+                                         .shape = "cube"};
     Scene *scene = open_scene(name);
     Boundaries b = boundaries_open(scene, &settings, map);
     const double share = boundaries_check(&b, stride);

@@ -4,6 +4,7 @@
 
 #include "airlight.h"
 #include "run.h"
+#include "truth.h"
 
 // The truth's picture: in-scattered radiance, and with ambient >= 0 the surfaces behind it; kept under out/truth.
 Image airlight_truth(const Scene *scene, const Camera *camera, int width, int height,
@@ -13,6 +14,13 @@ Image airlight_truth(const Scene *scene, const Camera *camera, int width, int he
 // (`converged`; for the closed forms: without shadow).
 void airlight_errors(Run *run, const Raster *raster, const Camera *camera, const AirlightSettings *settings,
                      const Image *got);
+
+// Whether a ray's lit stretch is long enough to be judged by its own radiance: a cone's border can be met in a chord as short as you like, whose length is then all
+// rounding. At least a hundredth of the way to the light and to the stretch counts. `far`: from the eye to the light.
+static inline bool airlight_chord_counts(TruthSpan lit, double far)
+{
+    return lit.t1 - lit.t0 >= 0.01 * (lit.t0 + far);
+}
 
 // The checks of a stability case.
 void airlight_case(Run *run, const Raster *raster, const AirlightHaze *haze, const Camera *camera,

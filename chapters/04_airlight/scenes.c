@@ -134,5 +134,6 @@ const RunRow airlight_cases[] = {
     {"pinhole", "pinhole", "method=segments map=2048", SIZE},
     {"pinhole, thick", "pinhole",
      "method=segments map=2048 scattering=20,20,20 light_intensity=1e12,1e12,1e12", SIZE},
+#include "worst.inc"
     {NULL, NULL, NULL, NULL},
 };

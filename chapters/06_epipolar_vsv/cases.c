@@ -42,6 +42,7 @@ static void check_dark(Run *run, const Raster *raster, const Camera *camera, con
 {
     AirlightSettings open = settings->airlight;
     open.method = "segments";
+    open.shader = NULL;
     open.shadowed = false;
     Image unshadowed =
         airlight_picture(raster, run_scene(run), camera, got->width, got->height, settings->map, &open);
@@ -98,6 +99,7 @@ static void check_flicker(Run *run, const Raster *raster, const Camera *camera,
     Image got[FRAMES], converged[FRAMES];
     AirlightSettings limit = settings->airlight;
     limit.method = "segments";
+    limit.shader = NULL;
     limit.nodes = 24;
     double flicker = 0.0, error = 0.0;
     long nonfinite = 0;

@@ -16,6 +16,7 @@ void judge_errors(Run *run, const Raster *raster, const Scene *scene, const Came
     const int width = got->width, height = got->height;
     AirlightSettings limit = settings->airlight;
     limit.method = "segments";
+    limit.shader = NULL;
     limit.variant = "intervals";
     limit.shadowed = true;
     limit.nodes = 24;
@@ -38,6 +39,9 @@ const RunRow judge_sweep[] = {
     {"equiangular", NULL, "method=equiangular steps=64", NULL},
     {"equiangular", NULL, "method=equiangular steps=256", NULL},
     {"equiangular", NULL, "method=equiangular steps=1024", NULL},
+    {"bounds", NULL, "method=bounds steps=16", NULL},
+    {"bounds", NULL, "method=bounds steps=64", NULL},
+    {"bounds", NULL, "method=bounds steps=256", NULL},
     {"segments", NULL, "method=segments", NULL},
     {"map", NULL, "method=map theta=128", NULL},
     {"map", NULL, "method=map theta=256", NULL},

@@ -53,7 +53,10 @@ Technique technique_open(const Run *run, const RasterView *view)
     t.by_rays = run_chosen(run, "method", "rays");
     t.brute = !t.by_rays && !t.geometric && !run_chosen(run, "method", "map");
     t.rays = t.by_rays ? rays_open(&view->scene->mesh) : NULL;
+    t.bounded = run_chosen(run, "method", "bounds");
     t.airlight = airlight_settings(run, t.brute);
+    if (t.bounded)
+        t.airlight.shader = "06_epipolar_vsv/bounds.comp";
     check_settings(run, &t);
     if (t.geometric) {
         t.triangles = triangles_open(&(TrianglesSettings){run_choice(run, "method"),
@@ -64,6 +67,10 @@ Technique technique_open(const Run *run, const RasterView *view)
     }
     t.vsv = memory_new(lights + 1, sizeof *t.vsv, "volumes");
     t.at_eye = memory_new(lights + 1, sizeof *t.at_eye, "volumes");
+    t.bounds = memory_new(lights + 1, sizeof *t.bounds, "bounds");
+    for (size_t i = 0; i < lights && t.bounded; i++)
+        t.bounds[i] =
+            bounds_open(view->scene, &view->scene->lights[i], view->gbuffer.width, view->gbuffer.height);
     if (t.brute && !t.asked.textured) {
         t.march = airlight_open(&t.airlight, view->maps, lights);
         return t;
@@ -85,6 +92,9 @@ void technique_close(Technique *technique, size_t lights)
         vsv_close(&technique->vsv[i]);
     free(technique->vsv);
     free(technique->at_eye);
+    for (size_t i = 0; i < lights && technique->bounded; i++)
+        bounds_close(&technique->bounds[i]);
+    free(technique->bounds);
     triangles_close(&technique->triangles);
     rays_close(technique->rays);
     airlight_close(&technique->march);
@@ -127,6 +137,9 @@ void technique_voxels(Technique *technique, Run *run, const RasterView *view, co
     if (run_pass(run, "range", needed, needs->why_not)) {
         const bool apart = query_range(&technique->query, vsv, &asked, technique->seen, picture);
         technique->at_eye[light] = !apart;
+        // what the same spacing would take for all angles
+        const double turns = 2.0 * M_PI / (double)vsv->range.theta_span;
+        run_skipped(run, round(vsv->settings.theta * (turns - 1.0)), round(vsv->settings.theta * turns));
     }
     const bool apart = !technique->at_eye[light], filled = needed && apart && !technique->by_rays;
     const char *why_not = technique->by_rays ? NO_GRID : apart ? needs->why_not : AT_EYE;
@@ -184,6 +197,9 @@ static void draw_rays(Run *run, const Technique *technique, size_t light, const 
 
 void technique_moved(Technique *technique, const Scene *scene)
 {
+    if (technique->bounded)
+        fail_request(
+            "--set method=bounds: its shadow volumes stand still; --path deform goes with the other methods");
     if (technique->by_rays) {
         rays_close(technique->rays);
         technique->rays = rays_open(&scene->mesh);
@@ -200,6 +216,10 @@ void technique_airlight(const Technique *technique, Run *run, const RasterView *
         const QueryView asked = technique_view(view, camera, i);
         if (technique->brute && volume)
             aim(technique, &technique->vsv[i], &asked);
+        if (technique->bounded) {
+            bounds_draw(&technique->bounds[i], camera, view->gbuffer.width, view->gbuffer.height);
+            run_count(run, "edges", (double)technique->bounds[i].edges);
+        }
         if (technique->by_rays)
             draw_rays(run, technique, i, &asked, picture);
         else if (volume)

@@ -3,6 +3,7 @@
 #define TECHNIQUE_H
 
 #include "baseline.h"
+#include "bounds.h"
 #include "run.h"
 #include "triangles_vsv.h"
 
@@ -19,8 +20,10 @@ typedef struct Technique {
     Query query;
     Triangles triangles;
     Rays *rays;
-    Vsv *vsv;     // one a light
-    bool *at_eye; // a light so near the eye that both see the same
+    bool bounded;   // brute force between bounds of shadow alone
+    Bounds *bounds; // one a light
+    Vsv *vsv;       // one a light
+    bool *at_eye;   // a light so near the eye that both see the same
 } Technique;
 // Wrong combinations of settings end the program.
 Technique technique_open(const Run *run, const RasterView *view);

@@ -28,6 +28,7 @@ float border_along(Ray ray, Query query, int place)
 // The next voxel at or after `place` that is lit, or not; query.last where there is none. A word is looked at whole.
 int next_voxel(Query query, Row row, int place, bool lit, inout uint fetches)
 {
+    int from = place;
 #if EVERYTHING
     int last = epipolar_count.z; // also what lies behind the ray's end, for nothing
 #else
@@ -43,6 +44,9 @@ int next_voxel(Query query, Row row, int place, bool lit, inout uint fetches)
         place = rest != 0u ? (place & ~31) + findLSB(rest) : (place & ~31) + 32;
         found = rest != 0u || place >= last;
     }
+#if EVERYTHING
+    place = row.lit ? lit ? from : query.last : place;
+#endif
     return min(place, query.last);
 }
 
@@ -84,7 +88,7 @@ vec3 integral_of(Ray ray, Query query, Row row, inout uint fetches)
             int lit = to - from - bitCount(bitfieldExtract(texel[k >> 5], (k & 31) + from, to - from));
             float near = border_phi(query, place + from), width = border_phi(query, place + to) - near, middle = near + 0.5 * width;
             if (lit > 0)
-                sum += float(lit) / float(to - from) * width * sample_phi(ray, query, middle) * light_texture(epipolar_theta_at(float(row.at.y) + 0.5), middle);
+                sum += float(lit) / float(to - from) * width * sample_phi(ray, query, middle) * light_texture(query.theta, middle);
         }
     }
     // what is lit throughout needs no sum

@@ -29,19 +29,33 @@ double beyond_most(dvec2 boundary, dvec2 direction, double wide)
 //]
 
 //[touched
+// The voxel that single precision says the direction is in: nearly always right.
+int guess(int coordinate, dvec2 direction)
+{
+#if EPIPOLE_AT_INFINITY
+    float angle = coordinate == 2 ? float(direction.x) : atan(float(direction.x), float(direction.y));
+#else
+    float angle = atan(float(direction.x), float(direction.y));
+#endif
+    return int(floor(clamp(coordinate == 2 ? epipolar_phi_place(angle) : epipolar_alpha_place(angle), 0.0, float(epipolar_count[coordinate]))));
+}
+
 // The first and last voxel along a coordinate that directions from `least` to `greatest` touch; closed: what lies in a face touches both sides. -1 is before the
-// range, its count beyond it. `slack`: metres of doubt.
+// range, its count beyond it. `slack`: metres of doubt. The search begins at the guess; if its voxel is right, the second step is the last.
 ivec2 touched(int coordinate, dvec2 least, dvec2 greatest, double wide, double slack)
 {
     int base = first_boundary(coordinate), count = epipolar_count[coordinate];
     ivec2 below = ivec2(0), above = ivec2(count + 1); // boundaries below `below` are passed, those from `above` on are not
-    for (int halves = count + 1; halves > 0; halves /= 2) {
-        ivec2 middle = min((below + above) / 2, ivec2(count));
+    ivec2 next = ivec2(guess(coordinate, least), guess(coordinate, greatest)), step = ivec2(0);
+    for (int i = 0; any(lessThan(below, above)); i++) {
+        ivec2 probe = clamp(i == 0 ? next : i == 1 ? next + step : (below + above) / 2, below, max(above - 1, below));
         bvec2 open = lessThan(below, above);
-        bvec2 passed = bvec2(beyond_least(boundaries[base + middle.x], least, wide) > slack,
-                             beyond_most(boundaries[base + middle.y], greatest, wide) >= -slack);
-        below = ivec2(open.x && passed.x ? middle.x + 1 : below.x, open.y && passed.y ? middle.y + 1 : below.y);
-        above = ivec2(open.x && !passed.x ? middle.x : above.x, open.y && !passed.y ? middle.y : above.y);
+        probe = min(probe, ivec2(count));
+        bvec2 passed = bvec2(beyond_least(boundaries[base + probe.x], least, wide) > slack,
+                             beyond_most(boundaries[base + probe.y], greatest, wide) >= -slack);
+        step = ivec2(passed.x ? 1 : -1, passed.y ? 1 : -1);
+        below = ivec2(open.x && passed.x ? probe.x + 1 : below.x, open.y && passed.y ? probe.y + 1 : below.y);
+        above = ivec2(open.x && !passed.x ? probe.x : above.x, open.y && !passed.y ? probe.y : above.y);
     }
     return below - 1;
 }

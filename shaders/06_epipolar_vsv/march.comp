@@ -11,11 +11,11 @@ void main()
     if (!ray_needed(pixel, ray))
         return;
     Query query = query_of(ray);
-    float theta = to_epipolar(ray.direction).y, width = (query.to - query.from) / float(steps);
+    float width = (query.to - query.from) / float(steps);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < steps; i++) {
         float phi = query.from + (float(i) + 0.5) * width;
-        sum += ray_lit(ray, epipolar_along(query.alpha, phi)) * sample_phi(ray, query, phi) * light_texture(theta, phi);
+        sum += ray_lit(ray, epipolar_along(query.alpha, phi)) * sample_phi(ray, query, phi) * light_texture(query.theta, phi);
     }
     ray_store(pixel, ray, sum * width, uint(steps));
 }

@@ -8,7 +8,7 @@ layout(binding = 4, rgba32ui) readonly uniform uimageBuffer texels; // the words
 
 // A pixel's ray in the epipolar space.
 struct Query {
-    float angle;                     // α
+    float angle, theta;              // α, θ
     vec2 alpha;                      // its sine and cosine
     float from, to;                  // φ of the ends of the stretch that light can reach
     int first, last;                 // voxels [first, last) whose middles it meets, at least one; what lies beside the grid counts to its outermost voxels
@@ -21,6 +21,7 @@ Query query_of(Ray ray)
     vec3 epipolar = to_epipolar(ray.direction); // α and θ do not depend on the length
     Query query;
     query.angle = epipolar.x;
+    query.theta = epipolar.y;
     query.alpha = vec2(length(cross(epipolar_axis, ray.direction)), dot(epipolar_axis, ray.direction));
     query.from = epipolar_phi(query.alpha, ray.from);
     query.to = epipolar_phi(query.alpha, ray.to);

@@ -204,8 +204,9 @@ static void add_shaded(Input *input, const Shaded *shaded)
     input_add(input, (double)shaded->nearest / METRE);
     input_add(input, (double)shaded->foot / METRE);
     input_add(input, (double)END / METRE);
-    for (int i = 0; i < 2 * SHADOWS; i++)
-        input_add(input, (double)shaded->shadows[i / 2][i % 2] / METRE);
+    for (int k = 0; k < SHADOWS; k++)
+        for (int side = 0; side < 2; side++)
+            input_add(input, (double)shaded->shadows[k][side] / METRE);
 }
 
 // In order, none touching the next; every second ray passes the lamp in the light, so near that the lamp sees more than a right angle of it.

@@ -71,7 +71,7 @@ function number_text(text) {
     if (text ~ /^-?[0-9.]+([eE][-+]?[0-9]+)?$/ && text ~ /[.eE]/) return sprintf("%.3g", text)
     return text
 }
-function table(file, names, conditions, condition_count,    path, line, n, i, wanted, count, rows, fits, part, machine, title, header) {
+function table(file, names, conditions, condition_count,    path, line, n, i, wanted, count, rows, fits, part, wished, sort, machine, title, header) {
     path = lesson
     sub(/[^\/]*$/, "", path)
     path = path file
@@ -107,8 +107,11 @@ function table(file, names, conditions, condition_count,    path, line, n, i, wa
         fits = 1
         for (i = 1; i <= condition_count; i++) {
             part = conditions[i]
-            sub(/=.*/, "", part)
-            if (value(part) != substr(conditions[i], length(part) + 2)) fits = 0
+            match(part, /!~|~|=/)
+            wished = substr(part, RSTART + RLENGTH)
+            sort = substr(part, RSTART, RLENGTH)
+            part = value(substr(part, 1, RSTART - 1))
+            if (sort == "=" ? part != wished : (part ~ wished) != (sort == "~")) fits = 0
         }
         if (!fits) continue
         rows++

@@ -5,7 +5,8 @@
 #   <!-- listing: FILE NAME -->                 the lines of FILE (from the repository's root) between `//[NAME` and its `//]`; NAME all: the whole file
 #   <!-- listing: FILE NAME -DEVERYTHING=1 -->  the same after `unifdef`, so that what is left out for speed does not clutter it
 #   <!-- table: FILE.csv COLUMN,COLUMN -->      columns of a CSV file beside the lesson (settings.KEY is one of its settings), then its machine line
-#   <!-- table: FILE.csv COLUMN,COLUMN where COLUMN=VALUE … -->   only the rows that fit
+#   <!-- table: FILE.csv COLUMN,COLUMN where COLUMN=VALUE … -->   only the rows that fit; COLUMN~REGEX and
+#                                               COLUMN!~REGEX: that match, that do not
 # Also: every picture that a lesson shows exists and has at most 60 kB, and every picture that lies there is shown.
 set -u
 mode=${1:-}

@@ -1,0 +1,203 @@
+// 06 epipolar voxelized shadow volumes: the program as a user runs it: what is left out and that it changes nothing, what is built again, wrong requests.
+#include "base.h"
+#include "image.h"
+#include "plan_lines.h"
+
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef struct Outcome {
+    int status;
+    char *text; // what it said: the plan
+    Image picture;
+} Outcome;
+
+static Outcome program(const char *arguments)
+{
+    const char *build = getenv("BUILD");
+    char *out = text_format("/tmp/epipolar-%d", (int)getpid());
+    char *command =
+        text_format("%s/06_epipolar_vsv --size 24x24 --set map=64 --set alpha=64 --set theta=64 --set "
+                    "phi=128 --out %s.exr --plan %s >%s 2>&1",
+                    build ? build : "build", out, arguments, out);
+    char *picture = text_format("%s.exr", out);
+    const int status = system(command);
+    Outcome outcome = {.status = status >> 8, .text = file_read(out, NULL)};
+    if (outcome.status == 0)
+        outcome.picture = image_read(picture);
+    unlink(out);
+    unlink(picture);
+    free(out);
+    free(command);
+    free(picture);
+    return outcome;
+}
+static void outcome_free(Outcome *outcome)
+{
+    free(outcome->text);
+    image_free(&outcome->picture);
+}
+
+static double count(const char *plan, const char *pass, const char *what)
+{
+    const char *line = line_of(plan, pass);
+    cr_assert(line, "no pass '%s' in\n%s", pass, plan);
+    const char *end = strchr(line, '\n'), *found = strstr(line, what);
+    return found && (!end || found < end) ? atof(found + strlen(what)) : -1.0;
+}
+// "12 of 34 left out"
+static double left_out(const char *plan, const char *pass)
+{
+    const char *line = line_of(plan, pass);
+    double ms, skipped;
+    cr_assert(line && sscanf(line + strlen(pass), " yes %lf %lf of", &ms, &skipped) == 2,
+              "%s: nothing left out in\n%s", pass, plan);
+    return skipped;
+}
+
+typedef struct Plans {
+    char *fires, *all, *beyond;
+} Plans;
+static void plans_free(Plans plans)
+{
+    free(plans.fires);
+    free(plans.all);
+    free(plans.beyond);
+}
+// Left out: the same picture with --everything, bit for bit. Just beyond the rule: another picture.
+static Plans check_left_out(const char *fires, const char *beyond, const char *const *passes)
+{
+    char *all = text_format("%s --everything", fires);
+    Outcome without = program(fires), with = program(all), other = program(beyond);
+    cr_assert(without.status == 0 && with.status == 0 && other.status == 0, "%s\n%s\n%s", without.text,
+              with.text, other.text);
+    for (; passes && *passes; passes++) {
+        cr_assert(!ran(without.text, *passes) && ran(with.text, *passes) && ran(other.text, *passes),
+                  "%s: %s", fires, *passes);
+        if (strcmp(*passes, "clear") != 0) // clears a buffer: no invocation
+            cr_assert(count(with.text, *passes, "compute_invocations=") > 0, "%s --everything does no %s",
+                      fires, *passes);
+    }
+    cr_assert_eq(image_compare(&without.picture, &with.picture).max_abs, 0.0,
+                 "%s: --everything shows another picture", fires);
+    cr_assert(image_compare(&without.picture, &other.picture).max_abs > 0.0, "%s: %s shows the same", fires,
+              beyond);
+    image_free(&without.picture);
+    image_free(&with.picture);
+    image_free(&other.picture);
+    free(all);
+    return (Plans){without.text, with.text, other.text};
+}
+
+static const char *const volume_passes[] = {"range", "clear", "voxels", "scan", NULL};
+static const char *const building[] = {"clear", "voxels", "scan", NULL};
+
+// Blocks and shadow lie behind the eye and lead away from it; where it turns round they are in view.
+Test(epipolar_program, voxels_where_nothing_can_cast_into_the_view)
+{
+    plans_free(check_left_out(
+        "--scene stage --set light_position=0,1,20 --set eye=0,1,30 --set target=0,1,60",
+        "--scene stage --set light_position=0,1,20 --set eye=0,1,30 --set target=0,1,0", volume_passes));
+}
+Test(epipolar_program, a_medium_that_scatters_nothing)
+{
+    plans_free(check_left_out("--scene stage --set scattering=0,0,0",
+                              "--scene stage --set scattering=0,0,1e-3", volume_passes));
+}
+// The eye sees what the light sees, until they are as far apart as a pixel of the nearest surface.
+Test(epipolar_program, a_light_at_the_eye)
+{
+    plans_free(check_left_out("--scene stage --set light_position=0.3,1.2,3.5",
+                              "--scene stage --set light_position=0.3,2.2,3.5", building));
+    Outcome near = program("--scene stage --set light_position=0.3,1.21,3.5"),
+            far = program("--scene stage --set light_position=0.3,1.6,3.5");
+    cr_assert(!ran(near.text, "voxels") && ran(far.text, "voxels"), "%s\n%s", near.text, far.text);
+    outcome_free(&near);
+    outcome_free(&far);
+}
+
+// Word columns that nothing shades are not scanned; rows that are lit or dark throughout, and words behind a ray's end, are not fetched.
+Test(epipolar_program, empty_rows_and_words_behind_the_end)
+{
+    Plans plans = check_left_out("--scene stage", "--scene stage --set light_position=0.9,1.6,-2.5", NULL);
+    cr_assert(left_out(plans.fires, "scan") > 0, "%s", plans.fires);
+    cr_assert(count(plans.fires, "airlight", "lookups=") < 0.8 * count(plans.all, "airlight", "lookups="),
+              "%s\n%s", plans.fires, plans.all);
+    plans_free(plans);
+    plans = check_left_out("--scene stage --set integral=riemann",
+                           "--scene stage --set integral=riemann --set light_position=0.9,1.6,-2.5", NULL);
+    cr_assert(count(plans.fires, "airlight", "lookups=") < count(plans.all, "airlight", "lookups="), "%s\n%s",
+              plans.fires, plans.all);
+    plans_free(plans);
+}
+
+// A light beside the picture: most planes through it and the eye miss the picture. At the picture's centre none does.
+Test(epipolar_program, slices_off_screen)
+{
+    Outcome beside = program("--scene stage --set eye=0.3,1.2,-1.9 --set target=-3,1,-1.9"),
+            centre = program("--scene stage --set target=0.8,1.6,-2.2");
+    cr_assert(left_out(beside.text, "range") > 64, "%s", beside.text);
+    const char *line = line_of(centre.text, "range");
+    cr_assert(strstr(line, " 0 of 64 left out"), "%s", centre.text);
+    outcome_free(&beside);
+    outcome_free(&centre);
+}
+
+Test(epipolar_program, what_has_not_changed_is_not_built_again)
+{
+    const struct {
+        const char *frames;
+        bool volume, shape;
+    } cases[] = {
+        {"--scene stage --frames 2", false, false},
+        {"--scene stage --frames 2 --path orbit", true, false},
+        {"--scene stage --frames 2 --path light", true, false},
+        {"--scene cell24 --frames 2 --path deform", true, true},
+    };
+    static const char *const passes[] = {"depth maps", "G-buffer", "range",   "clear",
+                                         "voxels",     "scan",     "airlight"};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Outcome outcome = program(cases[i].frames);
+        cr_assert_eq(outcome.status, 0, "%s", outcome.text);
+        for (size_t k = 0; k < sizeof passes / sizeof *passes; k++)
+            cr_assert_eq(ran(outcome.text, passes[k]), cases[i].volume, "%s: %s", cases[i].frames, passes[k]);
+        outcome_free(&outcome);
+    }
+}
+
+static void check_refused(const char *arguments, const char *says)
+{
+    Outcome outcome = program(arguments);
+    cr_assert_eq(outcome.status, 2, "%s", outcome.text);
+    cr_assert(strstr(outcome.text, says) && strchr(outcome.text, '\n') == strrchr(outcome.text, '\n'), "%s",
+              outcome.text);
+    outcome_free(&outcome);
+}
+Test(epipolar_program, wrong_requests)
+{
+    check_refused("--scene stage --set texture=window", "closed forms know no texture");
+    check_refused("--scene stage --set texture=window --set method=march", "knows no texture");
+    check_refused("--scene stage_sun --set shape=paraboloid", "maps of all directions");
+    check_refused("--scene fence --set method=solid", "needs closed meshes");
+    check_refused("--scene stage --path deform", "keeps its shape");
+}
+
+// Every step has its picture, for volumes and for brute force.
+Test(epipolar_program, every_step_shows)
+{
+    static const char *const steps[] = {"map",      "voxels",   "scanned", "counts",
+                                        "surfaces", "airlight", "picture"};
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        char *arguments = text_format("--scene stage --step %s", steps[i]);
+        Outcome outcome = program(arguments);
+        cr_assert_eq(outcome.status, 0, "%s", outcome.text);
+        double sum = 0;
+        for (int k = 0; k < 24 * 24; k++)
+            sum += (double)outcome.picture.pixels[k * outcome.picture.channels];
+        cr_assert(sum > 1.0, "%s is black", steps[i]);
+        outcome_free(&outcome);
+        free(arguments);
+    }
+}

@@ -1,0 +1,394 @@
+// 06 epipolar voxelized shadow volumes: scans against a plain loop, what rows and slices say, airlight from bits.
+#include "../chapters/06_epipolar_vsv/render.h"
+#include "../chapters/06_epipolar_vsv/vsv_scenes.h"
+
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 24 };
+
+static const VsvSettings small = {.alpha = 37,
+                                  .theta = 12,
+                                  .phi = 128,
+                                  .scan = "columns",
+                                  .warp = "even",
+                                  .slices = "uniform",
+                                  .shape = "cube"};
+
+// --- the volume alone ------------------------------------------------------------------------------------------------
+
+// Random occluders, `share` of all voxels, as a voxelization leaves them; every fifth word column empty, every seventh with one word of all bits.
+static uint32_t *occluders(const Vsv *vsv, double share)
+{
+    const size_t columns = (size_t)vsv->columns, alphas = (size_t)vsv->settings.alpha,
+                 count = columns * alphas;
+    uint32_t *words = memory_new(count, sizeof *words, "words");
+    uint32_t *first = memory_new(columns, sizeof *first, "first words");
+    uint64_t state = 9;
+    for (size_t i = 0; i < count; i++)
+        for (int bit = 0; bit < 32; bit++) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            if ((double)(state >> 11) * 0x1p-53 < share && i % columns % 5 != 0)
+                words[i] |= 1u << bit;
+        }
+    for (size_t column = 0; column < columns; column++) {
+        if (column % 7 == 3)
+            words[alphas / 2 * columns + column] = ~0u;
+        first[column] = (uint32_t)alphas;
+        for (size_t alpha = alphas; alpha-- > 0;)
+            first[column] = words[alpha * columns + column] ? (uint32_t)alpha : first[column];
+    }
+    vsv_clear(vsv);
+    gl.NamedBufferSubData(vsv->voxels, 0, (GLsizeiptr)(count * sizeof *words), words);
+    gl.NamedBufferSubData(vsv->first, 0, (GLsizeiptr)(columns * sizeof *first), first);
+    free(first);
+    return words;
+}
+
+static Vsv volume_of(const VsvSettings *settings)
+{
+    const DepthMap map = {.kind = LIGHT_POINT, .resolution = 16};
+    const Camera camera = {vec3_make(0, 0, 0), vec3_make(0, 0, -1), vec3_make(0, 1, 0), 1, 0, 0};
+    const Light light = {.kind = LIGHT_POINT, .position = vec3_make(1, 1, -2)};
+    const EpipolarFrame frame = epipolar_frame(&camera, &light);
+    const EpipolarRange range = epipolar_range_full(settings->alpha, settings->theta, settings->phi);
+    Vsv vsv = vsv_open(settings, &map);
+    vsv_aim(&vsv, &frame, &range, &camera, 16, 16);
+    return vsv;
+}
+
+static void check_scan(VsvSettings settings, double share)
+{
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    Vsv vsv = volume_of(&settings);
+    uint32_t *words = occluders(&vsv, share);
+    const size_t columns = (size_t)vsv.columns, alphas = (size_t)settings.alpha, row = (size_t)vsv.words;
+    vsv_scan(&vsv);
+    uint32_t *got = memory_new(vsv.bytes / sizeof *got, sizeof *got, "words");
+    uint32_t(*slices)[2] = memory_new((size_t)settings.theta, sizeof *slices, "slices");
+    gl_buffer_read(vsv.voxels, 0, vsv.bytes, got);
+    gl_buffer_read(vsv.slices, 0, (size_t)settings.theta * sizeof *slices, slices);
+    for (size_t i = columns; i < columns * alphas; i++)
+        words[i] |= words[i - columns];
+    for (size_t i = 0; i < columns * alphas; i++)
+        cr_assert_eq(got[i], words[i], "alpha %zu, word column %zu", i / columns, i % columns);
+    for (size_t theta = 0; theta < (size_t)settings.theta; theta++) {
+        uint32_t any = (uint32_t)alphas, all = (uint32_t)alphas;
+        for (size_t alpha = alphas; alpha-- > 0;) {
+            bool some = false, whole = true;
+            for (size_t w = 0; w < row; w++) {
+                some = some || words[alpha * columns + theta * row + w] != 0;
+                whole = whole && words[alpha * columns + theta * row + w] == ~0u;
+            }
+            any = some ? (uint32_t)alpha : any;
+            all = whole ? (uint32_t)alpha : all;
+        }
+        cr_assert(slices[theta][0] == any && slices[theta][1] == all, "slice %zu: %u %u for %u %u", theta,
+                  slices[theta][0], slices[theta][1], any, all);
+    }
+    // A level of the mip chain: the or of a block, which for what has been scanned is its last voxel's word; so it says nothing that the volume does not.
+    size_t before = columns * alphas;
+    for (int level = 1; level < vsv.levels; level++) {
+        const size_t count = (alphas + ((size_t)1 << level) - 1) >> level;
+        for (size_t i = 0; i < count * columns; i++) {
+            const size_t last =
+                (((i / columns + 1) << level) < alphas ? ((i / columns + 1) << level) : alphas) - 1;
+            cr_assert_eq(got[before + i], words[last * columns + i % columns], "level %d", level);
+        }
+        before += count * columns;
+    }
+    cr_assert_eq(before * sizeof *got, vsv.bytes);
+    free(words);
+    free(got);
+    free(slices);
+    vsv_close(&vsv);
+    gl_close();
+}
+static void check_scans(const char *scan)
+{
+    VsvSettings settings = small;
+    settings.scan = scan;
+    check_scan(settings, 0.02);
+    settings.alpha = 64;
+    settings.phi = 256;
+    check_scan(settings, 0.2);
+    settings.alpha = 1;
+    check_scan(settings, 0.5);
+    settings.alpha = 33;
+    settings.phi = 512;
+    check_scan(settings, 0.0005);
+}
+Test(vsv, a_scan_of_columns_is_a_plain_or)
+{
+    check_scans("columns");
+}
+Test(vsv, a_scan_in_log_steps_is_a_plain_or)
+{
+    check_scans("logstep");
+}
+
+Test(vsv, empty_word_columns_are_counted)
+{
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    Vsv vsv = volume_of(&small);
+    vsv_clear(&vsv);
+    cr_assert_eq(vsv_empty_columns(&vsv), vsv.columns);
+    free(occluders(&vsv, 0.2));
+    int expected = 0;
+    for (int i = 0; i < vsv.columns; i++)
+        expected += i % 5 == 0 && i % 7 != 3;
+    cr_assert_eq(vsv_empty_columns(&vsv), expected);
+    vsv_close(&vsv);
+    gl_close();
+}
+
+// --- pictures --------------------------------------------------------------------------------------------------------
+
+typedef struct Bench {
+    Raster *raster;
+    Scene *scene;
+    RenderSettings settings;
+} Bench;
+static Bench bench_open(const char *name)
+{
+    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
+    const SceneKind *kind = vsv_scenes;
+    while (kind->name && strcmp(kind->name, name) != 0)
+        kind++;
+    Bench bench = {.raster = raster_open(), .scene = kind->name ? scene_from(kind, 1) : scene_open(name, 1)};
+    bench.settings = (RenderSettings){.airlight = {.method = "march",
+                                                   .variant = "intervals",
+                                                   .phase = "uniform",
+                                                   .steps = 64,
+                                                   .nodes = 16,
+                                                   .shadowed = true,
+                                                   .grey = true},
+                                      .volume = {.alpha = 128,
+                                                 .theta = 256,
+                                                 .phi = 256,
+                                                 .scan = "columns",
+                                                 .warp = "even",
+                                                 .slices = "uniform",
+                                                 .shape = "cube"},
+                                      .asked = {.integral = "runs", .slice = 8},
+                                      .map = 256};
+    return bench;
+}
+static Image bench_draw(const Bench *bench)
+{
+    return render_picture(bench->raster, bench->scene, &bench->scene->camera, SIDE, SIDE, &bench->settings);
+}
+static Image bench_segments(const Bench *bench, bool shadowed) // what the same map says, without sampling
+{
+    AirlightSettings exact = bench->settings.airlight;
+    exact.method = "segments";
+    exact.nodes = 24;
+    exact.shadowed = shadowed;
+    return airlight_picture(bench->raster, bench->scene, &bench->scene->camera, SIDE, SIDE,
+                            bench->settings.map, &exact);
+}
+static void bench_close(Bench *bench)
+{
+    scene_close(bench->scene);
+    raster_close(bench->raster);
+    gl_close();
+}
+static ImageError bench_error(const Bench *bench, const Image *expected)
+{
+    Image got = bench_draw(bench);
+    const ImageError error = image_compare(&got, expected);
+    image_free(&got);
+    cr_assert_eq(error.nonfinite, 0);
+    return error;
+}
+
+// Nothing casts: a ray is one run, one closed form, whatever the integral.
+Test(vsv, an_empty_volume_is_a_closed_form)
+{
+    Bench bench = bench_open("mist");
+    Image open = bench_segments(&bench, false);
+    const char *const integrals[] = {"runs", "riemann", "factored"};
+    for (int i = 0; i < 3; i++) {
+        bench.settings.asked.integral = integrals[i];
+        cr_assert(bench_error(&bench, &open).nrmse <= 1e-4, "%s", integrals[i]); // 16 nodes for 24
+    }
+    image_free(&open);
+    bench_close(&bench);
+}
+
+// Against what the map says: 256 steps of φ and 128 of α; finer grids come closer, at least by half for twice the voxels along each axis twice.
+static void check_converges(const char *scene, const char *integral, double tolerance)
+{
+    Bench bench = bench_open(scene);
+    Image exact = bench_segments(&bench, true);
+    bench.settings.asked.integral = integral;
+    const double coarse_phi[2] = {128, 512};
+    double errors[2];
+    for (int i = 0; i < 2; i++) {
+        bench.settings.volume.phi = (int)coarse_phi[i];
+        bench.settings.volume.alpha = (int)coarse_phi[i] / 2;
+        bench.settings.volume.theta = (int)coarse_phi[i];
+        errors[i] = bench_error(&bench, &exact).nrmse;
+    }
+    cr_assert(errors[1] < 0.5 * errors[0] && errors[1] < tolerance, "%s, %s: %g, then %g", scene, integral,
+              errors[0], errors[1]);
+    image_free(&exact);
+    bench_close(&bench);
+}
+Test(vsv, runs_come_to_what_the_map_says)
+{
+    check_converges("stage", "runs", 1e-2);
+}
+Test(vsv, sums_over_bits_come_to_what_the_map_says)
+{
+    check_converges("stage", "riemann", 1e-2);
+}
+Test(vsv, factored_slices_come_to_what_the_map_says)
+{
+    check_converges("stage", "factored", 1e-2);
+}
+Test(vsv, a_directional_lights_runs_come_to_what_the_map_says)
+{
+    check_converges("stage_sun", "runs", 2e-2);
+}
+
+static void check_same(Bench *bench, const Image *expected, double nrmse, const char *what)
+{
+    const ImageError error = bench_error(bench, expected);
+    cr_assert(error.nrmse < nrmse, "%s: %g", what, error.nrmse);
+}
+// The same picture to within the grid's own error, by other ways; by both scans to the last bit.
+Test(vsv, every_way_shows_the_same)
+{
+    Bench bench = bench_open("stage");
+    Image exact = bench_segments(&bench, true), first = bench_draw(&bench);
+    const double error = image_compare(&first, &exact).nrmse;
+    bench.settings.volume.scan = "logstep";
+    cr_assert_eq(bench_error(&bench, &first).max_abs, 0.0);
+    bench.settings.volume.scan = "columns";
+    bench.settings.volume.warp = "square";
+    check_same(&bench, &exact, 3 * error, "square");
+    bench.settings.volume.warp = "even";
+    bench.settings.volume.slices = "pixel";
+    check_same(&bench, &exact, 3 * error, "pixel");
+    bench.settings.volume.slices = "uniform";
+    bench.settings.volume.shape = "paraboloid";
+    check_same(&bench, &exact, 3 * error, "paraboloid");
+    bench.settings.volume.shape = "cube";
+    bench.settings.full = true;
+    const double full = bench_error(&bench, &exact).nrmse;
+    cr_assert(full > 1.2 * error && full < 20 * error, "all angles: %g, what is seen: %g", full, error);
+    image_free(&exact);
+    image_free(&first);
+    bench_close(&bench);
+}
+
+// Rows that a pixel is between say together more than the nearest: steps from slice to slice are softened.
+Test(vsv, a_filtered_pixel_is_nearer_to_what_the_map_says)
+{
+    Bench bench = bench_open("stage");
+    bench.settings.volume.theta = bench.settings.volume.alpha = 32;
+    Image exact = bench_segments(&bench, true);
+    const double nearest = bench_error(&bench, &exact).nrmse;
+    bench.settings.asked.filtered = true;
+    const double filtered = bench_error(&bench, &exact).nrmse;
+    cr_assert(filtered < 0.95 * nearest, "filtered: %g, the nearest row: %g", filtered, nearest);
+    image_free(&exact);
+    bench_close(&bench);
+}
+
+// Where a ray ends at a surface, its last voxel is one whose middle is before it: airlight is neither lost nor won there.
+Test(vsv, no_light_is_lost_at_surfaces)
+{
+    Bench bench = bench_open("stage");
+    bench.settings.volume.phi = 128;
+    bench.settings.volume.alpha = 512;
+    bench.settings.volume.theta = 512;
+    Image exact = bench_segments(&bench, true);
+    const double ratio = bench_error(&bench, &exact).mean_ratio;
+    cr_assert(fabs(ratio - 1.0) < 6e-4, "mean ratio %g", ratio); // dark last voxels: 0.998
+    image_free(&exact);
+    bench_close(&bench);
+}
+
+Test(vsv, airlight_is_linear_in_the_light)
+{
+    Bench bench = bench_open("stage");
+    Image once = bench_draw(&bench);
+    bench.scene->lights[0].intensity *= 2.0f;
+    Image twice = bench_draw(&bench);
+    double total = 0;
+    for (int i = 0; i < 4 * SIDE * SIDE; i++) {
+        total += (double)once.pixels[i];
+        if (i % 4 < 3) // alpha
+            cr_assert_eq(twice.pixels[i], 2.0f * once.pixels[i]);
+    }
+    cr_assert(total > 0);
+    image_free(&once);
+    image_free(&twice);
+    bench_close(&bench);
+}
+
+// Phase functions stand in all integrals alike.
+Test(vsv, phase_functions)
+{
+    static const char *const phases[] = {"henyey_greenstein", "hoffman_preetham"};
+    static const char *const integrals[] = {"runs", "riemann", "factored"};
+    Bench bench = bench_open("stage");
+    bench.scene->medium.mean_cosine = 0.5f;
+    bench.settings.airlight.rayleigh_share = 0.3f;
+    for (int p = 0; p < 2; p++) {
+        bench.settings.airlight.phase = phases[p];
+        Image exact = bench_segments(&bench, true);
+        for (int i = 0; i < 3; i++) {
+            bench.settings.asked.integral = integrals[i];
+            check_same(&bench, &exact, 3e-2, integrals[i]);
+        }
+        image_free(&exact);
+    }
+    bench_close(&bench);
+}
+
+// A window colours light rays: sums over bits against as many lookups in the map and the window.
+Test(vsv, a_textured_light)
+{
+    Bench bench = bench_open("stage");
+    Image plain = bench_draw(&bench);
+    bench.settings.asked.textured = true;
+    bench.settings.asked.integral = "march";
+    bench.settings.airlight.steps = 1024;
+    Image exact = bench_draw(&bench);
+    cr_assert(image_compare(&plain, &exact).nrmse > 0.2, "the window shows nowhere");
+    bench.settings.asked.integral = "riemann";
+    bench.settings.volume.phi = 512;
+    check_same(&bench, &exact, 2e-2, "riemann");
+    bench.settings.asked.integral = "factored";
+    bench.settings.asked.slice = 4;
+    check_same(&bench, &exact, 4e-2, "factored");
+    image_free(&plain);
+    image_free(&exact);
+    bench_close(&bench);
+}
+
+// Factored slices of more bits are less exact; of as few as one they would be the sum.
+Test(vsv, larger_slices_are_less_exact)
+{
+    Bench bench = bench_open("mist");
+    bench.scene->lights[0].position = vec3_make(0.2f, 0.3f, -2);
+    mesh_add_quad(&bench.scene->mesh, vec3_make(9, 9, -9), vec3_make(0, 1, 0), vec3_make(0, 0, 1), 0);
+    double last = 0;
+    Image fine = {0};
+    bench.settings.asked.integral = "riemann";
+    bench.settings.asked.textured = true; // so that what is lit throughout is summed, too
+    fine = bench_draw(&bench);
+    bench.settings.asked.integral = "factored";
+    for (int slice = 4; slice <= 32; slice *= 2) {
+        bench.settings.asked.slice = slice;
+        const double error = bench_error(&bench, &fine).nrmse;
+        cr_assert(error > 1.2 * last, "slices of %d: %g after %g", slice, error, last);
+        last = error;
+    }
+    image_free(&fine);
+    bench_close(&bench);
+}
