@@ -28,7 +28,7 @@ typedef struct Vsv {
     size_t bytes;       // of all levels
     LightKind kind;     // of the light's map
     GLuint voxels, texels, single, first, slices, borders; // voxels as RGBA32UI: texels; as R32UI: single
-    GLuint halves;                                 // of the paraboloids
+    GLuint halves;                                         // of the paraboloids
     Shader *to_halves, *resample, *scan[VSV_SCANS];
     EpipolarFrame frame;
     EpipolarRange range;
