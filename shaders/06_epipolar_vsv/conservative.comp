@@ -3,56 +3,25 @@
 #include "06_epipolar_vsv/wedge.glsl"
 #include "06_epipolar_vsv/items.glsl"
 
-//[range
-// The least and the greatest φ of the polygon between two lines through the eye, as directions (r, w). Such a part of a convex polygon is convex: every φ
-// between is met, too; and its corners lie on the polygon's edges, cut to the strip.
-struct Range {
-    dvec2 least, greatest;
-    bool any, all; // all: it reaches the light itself, where φ is every angle
-};
-
-void range_add(inout Range range, dvec2 p, double slack)
-{
-    range.all = range.all || max(p.x, abs(p.y)) <= slack;
-    // φ of p is less than that of q where p.r q.w < q.r p.w
-    bool less = !range.any || p.x * range.least.y < range.least.x * p.y;
-    bool more = !range.any || p.x * range.greatest.y > range.greatest.x * p.y;
-    range.least = less ? p : range.least;
-    range.greatest = more ? p : range.greatest;
-    range.any = true;
-}
-
-// Metres by which a corner lies within the strip's two sides. What comes before the first column counts as in it: it shadows all that its light rays meet later.
+//[strip
+// Metres by which a corner lies within the two faces of a column. What comes before the first column counts as in it: it shadows all that its light rays meet later.
 dvec2 within(int column, dvec2 p, double wide, double slack)
 {
     double after = column == 0 ? 1.0LF : beyond_most(boundaries[column], p, wide);
     return dvec2(after, -beyond_least(boundaries[column + 1], p, wide)) + slack;
 }
 
-Range range_between(int column, double wide, double slack)
+// A strip between two lines through the eye leaves a convex polygon of a convex polygon: every φ between its least and greatest is met, and these are at ends of what
+// the strip leaves of the sides.
+void strip_add(inout Range range, Side side, int column, double wide, double slack)
 {
-    Range range = Range(dvec2(0.0), dvec2(0.0), false, false);
-    dvec3 from = polygon[corners - 1];
-    dvec2 from_side = within(column, from.xy, wide, slack);
-    for (int i = 0; i < corners; i++) {
-        dvec3 to = polygon[i];
-        dvec2 to_side = within(column, to.xy, wide, slack);
-        double begin = 0.0, end = 1.0;
-        for (int k = 0; k < 2; k++) {
-            double at = from_side[k] / (from_side[k] - to_side[k]);
-            if (from_side[k] < 0.0)
-                begin = to_side[k] < 0.0 ? 2.0LF : max(begin, at);
-            else if (to_side[k] < 0.0)
-                end = min(end, at);
-        }
-        if (begin <= end) {
-            range_add(range, mix(from.xz, to.xz, begin), slack);
-            range_add(range, mix(from.xz, to.xz, end), slack);
-        }
-        from = to;
-        from_side = to_side;
-    }
-    return range;
+    dvec2 from = within(column, side.from.xy, wide, slack), to = within(column, side.to.xy, wide, slack);
+    dvec2 at = from / (from - to);
+    double begin = max(from.x < 0.0 ? at.x : 0.0LF, from.y < 0.0 ? at.y : 0.0LF);
+    double end = min(to.x < 0.0 ? at.x : 1.0LF, to.y < 0.0 ? at.y : 1.0LF);
+    bool there = side.there && begin <= end && max(from.x, to.x) >= 0.0 && max(from.y, to.y) >= 0.0;
+    range_add(range, side.from.xz + begin * (side.to.xz - side.from.xz), there, slack);
+    range_add(range, side.from.xz + end * (side.to.xz - side.from.xz), there, slack);
 }
 //]
 
@@ -64,22 +33,26 @@ void main()
         return;
     Item item = items[at];
     int slice = item_slice(item);
-    double slack, wide = polygon_in_slice(item.triangle, slice, slack);
-    if (corners == 0)
+    Side sides[SIDES];
+    double slack, wide = sides_in_slice(item.triangle, slice, slack, sides);
+    Range alpha = NO_RANGE;
+    for (int i = 0; i < SIDES; i++) {
+        range_add(alpha, sides[i].from.xy, sides[i].there, slack);
+        range_add(alpha, sides[i].to.xy, sides[i].there, slack);
+    }
+    if (!alpha.any)
         return;
-    ivec2 stretch = item_columns(item), columns = polygon_touches(0, wide, slack);
+    ivec2 stretch = item_columns(item), columns = range_touches(0, alpha, wide, slack);
     if (columns.x >= epipolar_count.x)
         return;
     columns = clamp(columns, 0, epipolar_count.x - 1); // what comes before the range, too, shadows what is in it
     int last = min(columns.y, stretch.y);
     for (int column = max(columns.x, stretch.x); column <= last; column++) {
-        Range range = range_between(column, wide, slack);
-        if (!range.any)
-            continue;
-        ivec2 bits = touched(2, range.least, range.greatest, wide, slack);
-        if (range.all)
-            bits = ivec2(0, epipolar_count.z - 1);
-        if (bits.x < epipolar_count.z && bits.y >= 0)
+        Range phi = NO_RANGE;
+        for (int i = 0; i < SIDES; i++)
+            strip_add(phi, sides[i], column, wide, slack);
+        ivec2 bits = range_touches(2, phi, wide, slack);
+        if (phi.any && bits.x < epipolar_count.z && bits.y >= 0)
             voxels_set_row(column, slice, clamp(bits, 0, epipolar_count.z - 1));
     }
 }

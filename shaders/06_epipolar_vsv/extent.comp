@@ -37,13 +37,15 @@ void main()
     if (arc.y < TWO_PI / 3.0) {
         float middle = arc.x + 0.5 * arc.y;
         dvec2 way = normalize(dvec2(cos(middle), sin(middle)));
-        polygon[0] = dvec3(dot(way, a.xy), a.z, from_light(a.z));
-        polygon[1] = dvec3(dot(way, b.xy), b.z, from_light(b.z));
-        polygon[2] = dvec3(dot(way, c.xy), c.z, from_light(c.z));
-        corners = 3;
         double wide = 1.0 / cos(0.5 * arc.y + ANGLE_DOUBT), slack = DOUBT * reach_of(a, b, c);
-        columns = polygon_touches(0, wide, slack);
-        ivec2 bits = polygon_touches(2, wide, slack);
+        dvec3 r = max(dvec3(dot(way, a.xy), dot(way, b.xy), dot(way, c.xy)), 0.0), z = dvec3(a.z, b.z, c.z);
+        Range alpha = NO_RANGE, phi = NO_RANGE;
+        for (int i = 0; i < 3; i++) {
+            range_add(alpha, dvec2(r[i], z[i]), true, slack);
+            range_add(phi, dvec2(r[i], from_light(z[i])), true, slack);
+        }
+        columns = range_touches(0, alpha, wide, slack);
+        ivec2 bits = range_touches(2, phi, wide, slack);
 #if !EVERYTHING
         // Behind all view rays it shades nothing that is seen; before or beyond the light rays' range neither, but a solid's far side says where its inside begins.
         if (columns.x >= epipolar_count.x || bits.y < 0 || (bits.x >= epipolar_count.z && !KEEP_BEYOND)) {

@@ -72,12 +72,13 @@ void main()
     // the columns of what lies on this side of the axis
     if (max(ends[0].x, ends[1].x) < 0.0)
         return;
+    double slack = DOUBT * reach_of(dvec3(ends[0], 0.0), dvec3(ends[1], 0.0), dvec3(0.0));
+    Range alpha = NO_RANGE;
     for (int i = 0; i < 2; i++) {
         dvec2 end = ends[i].x < 0.0 ? mix(ends[i], ends[1 - i], ends[i].x / (ends[i].x - ends[1 - i].x)) : ends[i];
-        polygon[i] = dvec3(max(end.x, 0.0), end.y, 0.0);
+        range_add(alpha, dvec2(max(end.x, 0.0), end.y), true, slack);
     }
-    corners = 2;
-    ivec2 stretch = item_columns(item), columns = polygon_touches(0, 1.0LF, DOUBT * reach_of(polygon[0], polygon[1], polygon[1]));
+    ivec2 stretch = item_columns(item), columns = range_touches(0, alpha, 1.0LF, slack);
     columns = ivec2(max(columns.x, stretch.x), min(columns.y, stretch.y));
     for (int column = columns.x; column <= columns.y; column++) {
         precise dvec2 ray = boundaries[column] + boundaries[column + 1]; // (cos, sin), longer than 0

@@ -47,6 +47,7 @@ const vec2 airlight_nodes[24] = vec2[](
     vec2(0.889640885, 0.0559308857), vec2(0.93922706, 0.0429109164), vec2(0.974888217, 0.0281708739), vec2(0.995193011, 0.012311532));
 #endif
 
+//[numbers
 // √(a² + b²) without squares that over- or underflow.
 float airlight_hypotenuse(float a, float b)
 {
@@ -83,7 +84,9 @@ float airlight_asinh_step(float a, float b, float step)
     float sum = a * sqrt(1.0 + b * b) + b * sqrt(1.0 + a * a);
     return sum > 0.0 ? airlight_asinh(step * ((a + b) / sum)) : 0.0;
 }
+//]
 
+//[dimmed
 // x e^(-depth), by two halves: e^(-depth) itself may be no normal float where the product is. `precise`: compiled as a square it would be the same again.
 float airlight_dimmed(float x, float depth)
 {
@@ -92,6 +95,7 @@ float airlight_dimmed(float x, float depth)
     precise float twice = once * half_way;
     return twice;
 }
+//]
 
 //[free
 // Outside the light's radius. With s = r + (t - foot), the way eye-point-light is foot + s, and dt / r² = 2 ds / (nearest² + s²): so the integral is

@@ -49,6 +49,7 @@ float phase_henyey_greenstein(vec2 half_angle, float g)
 }
 //]
 
+//[phase
 // The phase function that the program chose.
 float phase(vec2 half_angle)
 {
@@ -68,5 +69,6 @@ float phase(vec2 half_angle)
     return INVERSE_4_PI;
 #endif
 }
+//]
 
 #endif

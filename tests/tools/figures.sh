@@ -3,6 +3,8 @@
 # lesson. chapters/CHAPTER/figures.txt says how, a line each, fields separated by a tab:
 #   sweep<TAB>options of the program          stability<TAB>options of the program
 #   NAME.png<TAB>options of build/figure, such as --metric missing --scene bunny
+#   passes<TAB>NAME.csv<TAB>options           what each pass costs, a row a line: its ms in the last of three frames of --plan along --path light, where
+#                                             everything is built anew and shaders are warm. Rows of one NAME.csv follow each other
 set -u
 build=$1 chapter=$2
 folder=chapters/$chapter
@@ -10,9 +12,50 @@ list=$folder/figures.txt
 [ -f "$list" ] || { echo "figures: $folder has no figures.txt"; exit 0; }
 tab=$(printf '\t')
 mkdir -p "$folder/pictures" || exit 1
+rows=$(mktemp) plan=$(mktemp)
+trap 'rm -f "$rows" "$plan"' EXIT
+
+# passes NAME.csv OPTIONS: one row more of that table. Its columns are the passes of all its rows, spaces written as _, as they come; machine: the sweep's.
+passes()
+{
+    name=$1
+    shift
+    # shellcheck disable=SC2086,SC2048 # options are words
+    timeout 120 "$build/$chapter" $* --path light --frames 3 --plan --json >"$plan" </dev/null || return
+    settings=$(printf '%s\n' "$*" | awk '{ for (i = 1; i < NF; i++) if ($i == "--set") text = text (text == "" ? "" : ";") $(i + 1); print text }')
+    jq -r --arg name "$name" --arg settings "$settings" \
+        '.scene as $scene | ((.passes[] | [.name, .ms]), ["all", .total_ms]) | [$name, $scene, $settings, (.[0] | gsub(" "; "_")), .[1]] | @tsv' \
+        "$plan" >>"$rows" || return
+    {
+        sed -n '/^#/!q; s/^# command: .*/# command: make figures/; p' "$folder/figures.csv"
+        awk -F '\t' -v name="$name" '
+            $1 == name {
+                row = $2 "," $3
+                if (!(row in seen)) { seen[row] = 1; order[++count] = row }
+                if (!($4 in column)) { column[$4] = 1; pass[++passes] = $4 }
+                ms[row, $4] = $5
+            }
+            END {
+                printf "scene,settings"
+                for (p = 1; p <= passes; p++) printf ",%s", pass[p]
+                print ""
+                for (r = 1; r <= count; r++) {
+                    printf "%s", order[r]
+                    for (p = 1; p <= passes; p++) printf (ms[order[r], pass[p]] > 0 ? ",%.4f" : ","), ms[order[r], pass[p]]
+                    print ""
+                }
+            }' "$rows"
+    } >"$folder/$name.tmp" && mv "$folder/$name.tmp" "$folder/$name"
+}
+
 while IFS=$tab read -r what options <&3; do
     case $what in
         '' | '#'*) continue ;;
+        passes)
+            echo "  passes of $options"
+            passes "${options%%"$tab"*}" "${options#*"$tab"}" || { echo "figures: failed: $options" >&2; exit 1; }
+            continue
+            ;;
         sweep) command="$build/$chapter $options --sweep $folder/figures.csv" ;;
         stability) command="$build/$chapter $options --stability $folder/stability.csv" ;;
         *.png) command="$build/figure $folder/figures.csv $options $folder/pictures/$what" ;;

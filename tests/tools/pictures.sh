@@ -1,6 +1,6 @@
 #!/bin/sh
 # Render a lesson's pictures: pictures.sh PROGRAM CHAPTER_FOLDER. The folder's pictures.txt has a line a picture, name.png<TAB>options of the program;
-# a text that begins with build/ is a command instead, in which {} is the picture's path. At most 60 kB a picture.
+# a text that begins with build/ or for is a command instead, in which {} is the picture's path. At most 60 kB a picture.
 set -u
 program=$1 folder=$2
 list=$folder/pictures.txt
@@ -11,7 +11,7 @@ while IFS=$tab read -r name options <&3; do
     case $name in '' | '#'*) continue ;; esac
     picture=$folder/pictures/$name
     case $options in
-        build/*) command=$(printf '%s' "$options" | sed "s,{},$picture,g") ;;
+        build/* | for\ *) command=$(printf '%s' "$options" | sed "s,{},$picture,g") ;;
         *) command="$program $options --out $picture" ;;
     esac
     sh -c "$command" </dev/null || { echo "pictures: failed: $command" >&2; exit 1; }
