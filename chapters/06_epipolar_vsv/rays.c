@@ -40,7 +40,7 @@ typedef struct Job {
 // A tile's pixels: their rays as (sin α, cos α) and the unit vector across the axis in each ray's half-plane.
 typedef struct Tile {
     int x, y;
-    float sine[LANES], cosine[LANES], distance[LANES]; // distance < 0: beside the picture
+    float sine[LANES], over_sine[LANES], cosine[LANES], distance[LANES]; // distance < 0: beside the picture
     float beside[3][LANES], along[3][LANES];
 } Tile;
 
@@ -58,6 +58,7 @@ static Tile tile_make(const Job *job, int number)
         const vec3 across = vec3_cross(vec3_cross(axis, way), axis); // sin α long
         const vec3 beside = vec3_normalize(across);
         tile.sine[i] = fmaxf(vec3_length(across), 1e-7f); // on the axis: a ray that passes the light so near
+        tile.over_sine[i] = 1.0f / tile.sine[i];
         tile.cosine[i] = vec3_dot(axis, way);
         for (int k = 0; k < 3; k++) {
             tile.beside[k][i] = beside[k];
@@ -87,7 +88,7 @@ INLINE void samples_of_sun(const Job *job, const Tile *tile, int k, Samples *at,
     {
         const float t = middle / tile->sine[i];
         at->path[i] = t;
-        at->weight[i] = share / tile->sine[i];
+        at->weight[i] = share * tile->over_sine[i];
         at->turn[0][i] = tile->sine[i];
         at->turn[1][i] = tile->cosine[i];
         at->inside[i] = at->before[i] = t <= tile->distance[i] ? -1 : 0;
@@ -112,7 +113,7 @@ INLINE void samples_of_lamp(const Job *job, const Tile *tile, int k, Samples *at
                     z = s * tile->beside[2][i] - c * axis[2];
         const float held = r * over_radius, in_cone = x * ahead[0] + y * ahead[1] + z * ahead[2] - least;
         at->path[i] = t + r;
-        at->weight[i] = share / tile->sine[i] * (held < 1.0f ? held * held : 1.0f);
+        at->weight[i] = share * tile->over_sine[i] * (held < 1.0f ? held * held : 1.0f);
         at->turn[0][i] = third;
         at->turn[1][i] = tile->cosine[i] * c - tile->sine[i] * s;
         // `third` is held above 0, so that what lies beyond any point of the ray is as far as it can be, and no further
