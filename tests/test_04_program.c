@@ -189,12 +189,10 @@ Test(airlight_program, an_exact_map_leaves_the_integrals_error)
     const double summed =
         error_of("--scene two_lights --set method=segments --set variant=signed --set oracle=map");
     cr_assert(summed < 1e-3 && summed != exact, "signed: %g", summed);
-    const double march = error_of("--scene blocks --set method=march --set oracle=map"),
-                 factored = error_of("--scene blocks --set method=factored --set oracle=map");
-    cr_assert(march > 1e-2 && factored > 1e-3 && factored < march, "march %g, factored %g", march, factored);
-    const double open = error_of("--scene blocks --set method=gauss"),
-                 lit = error_of("--scene blocks --set method=gauss --set oracle=map");
-    cr_assert(open > 0.1 && lit < 1e-4, "gauss: %g without shadow, %g over the lit stretches", open, lit);
+    const double march = error_of("--scene blocks --set method=march --set oracle=map");
+    cr_assert_gt(march, 1e-2);
+    const double lit = error_of("--scene blocks --set method=gauss --set oracle=map");
+    cr_assert_lt(lit, 1e-4, "gauss over the lit stretches: %g", lit);
 }
 Test(airlight_program, an_exact_map_follows_eye_light_and_sun)
 {
@@ -214,12 +212,12 @@ Test(airlight_program, an_exact_integral_leaves_the_maps_error)
 {
     Outcome segments = program("--scene blocks --set method=segments --set nodes=24"),
             gauss = program("--scene blocks --set method=gauss --set nodes=24");
-    const char *const methods[] = {"march", "segments --set variant=signed", "sun"};
-    for (size_t i = 0; i < 3; i++) {
+    const char *const methods[] = {"march", "sun"};
+    for (size_t i = 0; i < 2; i++) {
         char *plain = text_format("--scene blocks --set method=%s", methods[i]),
              *exact = text_format("%s --set oracle=quadrature", plain);
         Outcome before = program(plain), after = program(exact);
-        cr_assert_eq(image_compare(&after.picture, i < 2 ? &segments.picture : &gauss.picture).max_abs, 0.0,
+        cr_assert_eq(image_compare(&after.picture, i < 1 ? &segments.picture : &gauss.picture).max_abs, 0.0,
                      "%s", methods[i]);
         cr_assert_gt(image_compare(&after.picture, &before.picture).max_abs, 0.0, "%s", methods[i]);
         outcome_free(&before);

@@ -38,7 +38,8 @@ typedef struct TechniqueNeeds {
 // Passes of `run`: what the light's volume covers, its voxels; then their shadow. `picture` gives its size.
 void technique_voxels(Technique *technique, Run *run, const RasterView *view, const Camera *camera,
                       size_t light, const TechniqueNeeds *needs, GLuint picture);
-void technique_scan(const Technique *technique, Run *run, size_t light, const TechniqueNeeds *needs);
+void technique_scan(const Technique *technique, Run *run, const RasterView *view, const Camera *camera,
+                    size_t light, const TechniqueNeeds *needs);
 // The scene has moved: what stands on its triangles is built anew.
 void technique_moved(Technique *technique, const Scene *scene);
 // All lights' airlight into a picture that has been cleared.
