@@ -63,9 +63,18 @@ const RunRow judge_sweep[] = {
     {"map", NULL, "method=map integral=riemann", NULL},
     {"map", NULL, "method=map integral=factored", NULL},
     {"map", NULL, "method=map filter=epipolar", NULL},
+    {"prefix", NULL, "method=map integral=prefix", NULL},
+    {"prefix", NULL, "method=map integral=prefix filter=epipolar", NULL},
+    {"prefix", NULL, "method=map integral=prefix filter=epipolar warp=square", NULL},
+    {"prefix", NULL, "method=map integral=prefix filter=epipolar alpha=256 theta=512", NULL},
     {"map", NULL, "method=map scan=logstep", NULL},
     {"conservative", NULL, "method=conservative", NULL},
+    // Embree's rays at the same angles, and at ever fewer: the fewest that are as near to the truth as the volume make the honest comparison.
     {"rays", NULL, "method=rays phi=128", NULL},
     {"rays", NULL, "method=rays phi=512", NULL},
+    {"rays", NULL, "method=rays samples=256", NULL},
+    {"rays", NULL, "method=rays samples=64", NULL},
+    {"rays", NULL, "method=rays samples=32", NULL},
+    {"rays", NULL, "method=rays samples=16", NULL},
     {NULL, NULL, NULL, NULL},
 };

@@ -144,7 +144,7 @@ int main(int argc, char **argv)
 
             for (size_t i = 0; i < lights && volumes; i++) {
                 const TechniqueNeeds needs = needs_of(run, scene, i, &camera, changed, asked);
-                technique_scan(&technique, run, i, &needs);
+                technique_scan(&technique, run, &view, &camera, i, &needs);
             }
             if (run_pass_common(run, "show scanned", volumes && shown[SCANNED], why_flat) && volumes)
                 vsv_show(&technique.vsv[0], flat, picture[SCANNED].texture, width, height);

@@ -7,6 +7,8 @@
 static int integral_number(const char *integral)
 {
     static const char *const names[] = {"runs", "riemann", "factored", "march"};
+    if (strcmp(integral, "prefix") == 0)
+        return 0; // where sums are of no use, runs are
     for (int i = 0; i < 4; i++)
         if (strcmp(names[i], integral) == 0)
             return i;
@@ -35,6 +37,9 @@ Query query_open(const QuerySettings *settings, const AirlightSettings *airlight
     query.counts = airlight_open(&with, maps, map_count);
     with.shader = "06_epipolar_vsv/surface.comp";
     query.surface = airlight_open(&with, maps, map_count);
+    query.prefixed = strcmp(settings->integral, "prefix") == 0;
+    if (query.prefixed)
+        query.prefix = prefix_open(airlight, volume, maps, map_count, settings->filtered);
     free(spread);
     free(definitions);
     return query;
@@ -46,6 +51,7 @@ void query_close(Query *query)
     airlight_close(&query->range);
     airlight_close(&query->counts);
     airlight_close(&query->surface);
+    prefix_close(&query->prefix);
     gl_buffer_delete(&query->phi);
 }
 
@@ -68,6 +74,7 @@ bool query_range(const Query *query, Vsv *vsv, const QueryView *view, bool cut, 
     const float margin = query->textured ? 0.5f : 4.0f / (float)vsv->settings.phi;
     const float beyond =
         (1.0f + margin) * epipolar_phi_of_box(&vsv->frame, view->scene->lower, view->scene->upper);
+    vsv->whole = phi[1] <= beyond;
     const bool any = phi[0] < phi[1] && phi[0] < beyond;
     if (cut || vsv->frame.at_infinity) {
         vsv->range.phi_least = any ? phi[0] : 0.0f;
@@ -77,9 +84,28 @@ bool query_range(const Query *query, Vsv *vsv, const QueryView *view, bool cut, 
     return vsv->frame.distance > 0.0f && (isinf(phi[2]) || vsv->frame.distance > pixel * phi[2]);
 }
 
+bool query_prepares(const Query *query, const Vsv *vsv, const Light *light)
+{
+    return query->prefixed && prefix_can(vsv, light);
+}
+
+void query_prepare(const Query *query, const Vsv *vsv, const QueryView *view)
+{
+    prefix_weigh(&query->prefix, vsv, view);
+    prefix_sum(&query->prefix, vsv, view);
+}
+
+const Airlight *query_shader(const Query *query, const Vsv *vsv, const Light *light)
+{
+    return query_prepares(query, vsv, light) ? prefix_shader(&query->prefix, vsv, light) : &query->airlight;
+}
+
 void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
 {
-    ask(&query->airlight, vsv, view, picture);
+    const Airlight *shader = query_shader(query, vsv, view->light);
+    if (query_prepares(query, vsv, view->light))
+        prefix_bind(&query->prefix, vsv);
+    ask(shader, vsv, view, picture);
 }
 
 void query_counts(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)

@@ -33,6 +33,8 @@ Image render_picture(const Raster *raster, const Scene *scene, const Camera *cam
         const QueryView seen = {scene, &scene->lights[i], &view.maps[i], camera, &view.gbuffer};
         Vsv vsv = vsv_open(&settings->volume, &view.maps[i]);
         render_volume(&vsv, &query, &seen, settings->full, target.texture);
+        if (query_prepares(&query, &vsv, seen.light))
+            query_prepare(&query, &vsv, &seen);
         query_airlight(&query, &vsv, &seen, target.texture);
         vsv_close(&vsv);
     }

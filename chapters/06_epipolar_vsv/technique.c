@@ -12,9 +12,10 @@ static void check_settings(const Run *run, const Technique *technique)
     if (window && technique->brute && !run_chosen(run, "method", "equiangular"))
         fail_request("--set method=%s: knows no texture; of brute force only equiangular does",
                      run_choice(run, "method"));
-    if (window && !technique->brute && run_chosen(run, "integral", "runs"))
-        fail_request(
-            "--set texture=window: closed forms know no texture; integral=riemann and integral=factored do");
+    if (window && !technique->brute &&
+        (run_chosen(run, "integral", "runs") || run_chosen(run, "integral", "prefix")))
+        fail_request("--set texture=window: integral=%s knows no texture; riemann and factored do",
+                     run_choice(run, "integral"));
 }
 
 static AirlightSettings airlight_settings(const Run *run, bool brute)
@@ -50,6 +51,7 @@ Technique technique_open(const Run *run, const RasterView *view)
                              .filtered = run_chosen(run, "filter", "epipolar"),
                              .textured = run_chosen(run, "texture", "window")}};
     t.by_rays = run_chosen(run, "method", "rays");
+    t.samples = run_integer(run, "samples");
     t.brute = !t.by_rays && !t.geometric && !run_chosen(run, "method", "map");
     t.rays = t.by_rays ? rays_open(&view->scene->mesh) : NULL;
     t.bounded = run_chosen(run, "method", "bounds");
@@ -158,7 +160,8 @@ void technique_voxels(Technique *technique, Run *run, const RasterView *view, co
 }
 //]
 
-void technique_scan(const Technique *technique, Run *run, size_t light, const TechniqueNeeds *needs)
+void technique_scan(const Technique *technique, Run *run, const RasterView *view, const Camera *camera,
+                    size_t light, const TechniqueNeeds *needs)
 {
     const Vsv *vsv = &technique->vsv[light];
     const bool apart = !technique->at_eye[light];
@@ -171,6 +174,11 @@ void technique_scan(const Technique *technique, Run *run, size_t light, const Te
     }
     if (needs->changed && !(needs->casts && apart))
         vsv_light_all(vsv);
+    const QueryView asked = technique_view(view, camera, light);
+    const bool summed = apart && !technique->by_rays && query_prepares(&technique->query, vsv, asked.light);
+    if (technique->query.prefixed &&
+        run_pass(run, "prefix sums", needs->changed && summed, summed ? needs->why_not : AT_EYE))
+        query_prepare(&technique->query, vsv, &asked);
 }
 
 // The rays' own speed stands beside that of a bare loop over a share of them.
@@ -178,14 +186,17 @@ static void draw_rays(Run *run, const Technique *technique, size_t light, const 
                       GLuint picture)
 {
     const Vsv *vsv = &technique->vsv[light];
-    const RaysCount count = baseline_airlight(technique->rays, vsv, asked, &technique->airlight, picture);
+    const RaysCount count =
+        baseline_airlight(technique->rays, vsv, asked, &technique->airlight, technique->samples, picture);
     run_count(run, "rays", count.rays);
     if (run_measuring_error(run))
         return;
     enum { STRIDE = 16 };
-    const RaysCount bare = baseline_bare(technique->rays, vsv, asked, &technique->airlight, STRIDE);
-    note("%.4g rays, %.3g million a second; in a bare loop %.3g", count.rays,
-         count.rays / count.seconds / 1e6, bare.rays / bare.seconds / 1e6);
+    const RaysCount bare =
+        baseline_bare(technique->rays, vsv, asked, &technique->airlight, technique->samples, STRIDE);
+    note("%.4g rays, %.3g million a second; by the processors' own time %.3g, in a bare loop %.3g",
+         count.rays, count.rays / count.seconds / 1e6, count.rays / count.processor_seconds / 1e6,
+         bare.rays / bare.processor_seconds / 1e6);
 }
 
 void technique_moved(Technique *technique, const Scene *scene)
@@ -204,7 +215,7 @@ void technique_airlight(const Technique *technique, Run *run, const RasterView *
 {
     const size_t lights = view->scene->light_count;
     const bool volume = !technique->brute || technique->asked.textured;
-    const Airlight *counted = volume ? &technique->query.airlight : &technique->march;
+    uint32_t missed = 0, lookups = 0;
     for (size_t i = 0; i < lights; i++) {
         const QueryView asked = technique_view(view, camera, i);
         if (technique->brute && volume)
@@ -218,11 +229,18 @@ void technique_airlight(const Technique *technique, Run *run, const RasterView *
         else if (volume)
             query_airlight(&technique->query, &technique->vsv[i], &asked, picture);
         else
-            airlight_add(counted, asked.gbuffer, camera, asked.scene, asked.light, asked.map, picture);
+            airlight_add(&technique->march, asked.gbuffer, camera, asked.scene, asked.light, asked.map,
+                         picture);
+        if (technique->airlight.count) {
+            uint32_t counted[2];
+            const Vsv *vsv = &technique->vsv[i];
+            airlight_counts(volume ? query_shader(&technique->query, vsv, asked.light) : &technique->march,
+                            &counted[0], &counted[1]);
+            missed += counted[0];
+            lookups += counted[1];
+        }
     }
     if (technique->airlight.count) {
-        uint32_t missed, lookups;
-        airlight_counts(counted, &missed, &lookups);
         run_skipped(run, missed, (double)view->gbuffer.width * view->gbuffer.height * (double)lights);
         run_count(run, "lookups", lookups);
     }

@@ -20,6 +20,7 @@ typedef struct Technique {
     Query query;
     Triangles triangles;
     Rays *rays;
+    int samples;    // of theirs a view ray; 0: as many as the volume has φ
     bool bounded;   // brute force between bounds of shadow alone
     Bounds *bounds; // one a light
     Vsv *vsv;       // one a light
@@ -38,7 +39,8 @@ typedef struct TechniqueNeeds {
 // Passes of `run`: what the light's volume covers, its voxels; then their shadow. `picture` gives its size.
 void technique_voxels(Technique *technique, Run *run, const RasterView *view, const Camera *camera,
                       size_t light, const TechniqueNeeds *needs, GLuint picture);
-void technique_scan(const Technique *technique, Run *run, size_t light, const TechniqueNeeds *needs);
+void technique_scan(const Technique *technique, Run *run, const RasterView *view, const Camera *camera,
+                    size_t light, const TechniqueNeeds *needs);
 // The scene has moved: what stands on its triangles is built anew.
 void technique_moved(Technique *technique, const Scene *scene);
 // All lights' airlight into a picture that has been cleared.

@@ -125,9 +125,21 @@ static double border(const TrianglesGrid *grid, int slice)
     return grid->theta_borders ? (double)grid->theta_borders[slice] : (double)slice / grid->range->theta;
 }
 
+// A slice must be a wedge, narrower than half a turn, to have a middle that all of it is seen from.
+static void check_slices(const Triangles *triangles, const TrianglesGrid *grid)
+{
+    double widest = 0.0;
+    for (int i = 0; i < grid->range->theta; i++)
+        widest = fmax(widest, (double)grid->range->theta_span * (border(grid, i + 1) - border(grid, i)));
+    if (!chosen(triangles, "flat") && widest > 3.0)
+        fail_request("--set theta=%d: a slice would be %.3g radians wide; method=%s needs less than 3",
+                     grid->range->theta, widest, triangles->settings.method);
+}
+
 void triangles_aim(Triangles *triangles, const TrianglesGrid *grid)
 {
     const EpipolarRange *range = grid->range;
+    check_slices(triangles, grid);
     const size_t count = (size_t)range->alpha + (size_t)range->theta + (size_t)range->phi + 3;
     double(*boundary)[2] = memory_new(count, sizeof *boundary, "the grid's boundaries"),
     (*next)[2] = boundary;

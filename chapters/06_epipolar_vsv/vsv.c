@@ -29,6 +29,9 @@ Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &vsv.texels);
     gl.ObjectLabel(GL_TEXTURE, vsv.texels, -1, "voxels, 128 a texel");
     gl.TextureBuffer(vsv.texels, GL_RGBA32UI, vsv.voxels);
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &vsv.single);
+    gl.ObjectLabel(GL_TEXTURE, vsv.single, -1, "voxels, 32 a texel");
+    gl.TextureBuffer(vsv.single, GL_R32UI, vsv.voxels);
     vsv.first = gl_buffer(.label = "first voxel", .bytes = (size_t)vsv.columns * sizeof(uint32_t));
     vsv.slices = gl_buffer(.label = "slices", .bytes = 2 * (size_t)settings->theta * sizeof(uint32_t));
     vsv.borders =
@@ -60,6 +63,7 @@ Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
 void vsv_close(Vsv *vsv)
 {
     gl_texture_delete(&vsv->texels);
+    gl_texture_delete(&vsv->single);
     gl_texture_delete(&vsv->halves);
     gl_buffer_delete(&vsv->voxels);
     gl_buffer_delete(&vsv->first);

@@ -27,11 +27,12 @@ typedef struct Vsv {
     int levels;         // of the mip chain: 1 unless scan is logstep
     size_t bytes;       // of all levels
     LightKind kind;     // of the light's map
-    GLuint voxels, texels, first, slices, borders; // texels: voxels as RGBA32UI
-    GLuint halves;                                 // of the paraboloids
+    GLuint voxels, texels, single, first, slices, borders; // voxels as RGBA32UI: texels; as R32UI: single
+    GLuint halves;                                         // of the paraboloids
     Shader *to_halves, *resample, *scan[VSV_SCANS];
     EpipolarFrame frame;
     EpipolarRange range;
+    bool whole; // no view ray goes on beyond the range's φ
 } Vsv;
 Vsv vsv_open(const VsvSettings *settings, const DepthMap *map);
 void vsv_close(Vsv *vsv);
@@ -52,6 +53,14 @@ int vsv_empty_columns(const Vsv *vsv);
 // The grid laid flat into an RGBA32F picture, by 06_epipolar_vsv/show.comp.
 void vsv_show(const Vsv *vsv, const Shader *flat, GLuint picture, int width, int height);
 
+// One light in a scene that is seen: what all queries take.
+typedef struct QueryView {
+    const Scene *scene;
+    const Light *light;
+    const DepthMap *map;
+    const Camera *camera;
+    const GBuffer *gbuffer;
+} QueryView;
 // For a shader that voxelizes (includes voxels.glsl) or asks (query.glsl): the volume's buffers and uniforms.
 void vsv_bind(const Vsv *vsv, const Shader *shader);
 // Definitions that all of them are compiled with; the caller frees them.

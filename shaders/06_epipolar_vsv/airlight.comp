@@ -3,26 +3,11 @@
 #include "common/airlight_ray.glsl"
 #include "06_epipolar_vsv/query.glsl"
 #include "06_epipolar_vsv/sample.glsl"
+#include "06_epipolar_vsv/stretch.glsl"
 
 #define RUNS 0
 #define RIEMANN 1
 #define FACTORED 2
-
-vec3 stretch(Ray ray, float from, float to)
-{
-#if MAP_KIND == DIRECTIONAL
-#define INTEGRAL(sigma) airlight_directional(from, to, sigma)
-    float scattered = phase(phase_half_angle(light_direction, ray.direction));
-#else
-#define INTEGRAL(sigma) airlight_point(ray.nearest, ray.foot, light_radius, from, to, sigma)
-    const float scattered = 1.0;
-#endif
-#if GREY && !EVERYTHING
-    return vec3(scattered * INTEGRAL(extinction.x));
-#else
-    return scattered * vec3(INTEGRAL(extinction.x), INTEGRAL(extinction.y), INTEGRAL(extinction.z));
-#endif
-}
 
 //[border
 // φ of a border between voxels, and how far along the ray it lies; the outermost borders are the ends of the ray's stretch.

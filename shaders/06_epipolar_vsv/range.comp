@@ -10,10 +10,15 @@ void main()
     Ray ray = ray_of(pixel);
     if (!ray_needed(pixel, ray))
         return;
-    atomicMin(nearest, floatBitsToUint(imageLoad(distances, pixel).x));
+    uint surface = floatBitsToUint(imageLoad(distances, pixel).x);
+    if (surface < nearest) // reading is cheaper than an atomic, and what most rays say is known already
+        atomicMin(nearest, surface);
     vec2 alpha = vec2(length(cross(epipolar_axis, ray.direction)), dot(epipolar_axis, ray.direction));
     if (ray.inside > 0.0) {
-        atomicMin(phi_least, floatBitsToUint(max(epipolar_phi(alpha, ray.from), 0.0)));
-        atomicMax(phi_most, floatBitsToUint(max(epipolar_phi(alpha, ray.to), 0.0)));
+        uint least = floatBitsToUint(max(epipolar_phi(alpha, ray.from), 0.0)), most = floatBitsToUint(max(epipolar_phi(alpha, ray.to), 0.0));
+        if (least < phi_least)
+            atomicMin(phi_least, least);
+        if (most > phi_most)
+            atomicMax(phi_most, most);
     }
 }

@@ -25,6 +25,10 @@ uniform float light_radius;   // metres; the inverse square is held inside
 uniform vec2 light_cone;      // sin, cos of the half angle; (0, -1): all directions
 uniform vec3 scattering, extinction; // 1/m
 
+#ifndef RAY_CONE // 0: no light has a cone; this renderer computes both sides of an if
+#define RAY_CONE 1
+#endif
+
 struct Ray {
     vec3 direction;
     float nearest, foot; // the light's distance from the ray's line, and where on it (not for a directional light)
@@ -74,8 +78,10 @@ Ray ray_of(ivec2 pixel)
 #else
     airlight_from_vectors(-eye_from_origin, ray.direction, ray.nearest, ray.foot);
     ray.nearest = max(ray.nearest, AIRLIGHT_LEAST);
+#if RAY_CONE
     if (light_cone.y > 0.0)
         ray_clip_cone(ray);
+#endif
     // The way eye-point-light grows along the ray: beyond `cut` of s = r + (t - foot) less than e^-14 of the airlight is left.
     float start = ray.from - ray.foot, sum = airlight_hypotenuse(ray.nearest, start) + abs(start);
     float cut = (start >= 0.0 ? sum : ray.nearest * (ray.nearest / sum)) + AIRLIGHT_CUT / least;

@@ -69,8 +69,8 @@ float epipolar_phi(vec2 alpha, float along)
 #if EPIPOLE_AT_INFINITY
     return along * alpha.x;
 #else
-    // at infinity: π - α
-    return isinf(along) ? atan(alpha.x, -alpha.y) : atan(along * alpha.x, epipolar_distance - along * alpha.y);
+    float far = min(along, 1e30); // at infinity: π - α
+    return atan(far * alpha.x, epipolar_distance - far * alpha.y);
 #endif
 }
 

@@ -1,0 +1,123 @@
+// prefix: see prefix.h.
+#include "prefix.h"
+
+#include <stdlib.h>
+
+static GLuint texels_of(GLuint buffer, GLenum format, const char *label)
+{
+    GLuint texels;
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &texels);
+    gl.ObjectLabel(GL_TEXTURE, texels, -1, label);
+    gl.TextureBuffer(texels, format, buffer);
+    return texels;
+}
+
+Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, const DepthMap *maps,
+                   size_t map_count, bool interpolated)
+{
+    char *spread = vsv_definitions(volume);
+    Prefix prefix = {.alpha = volume->alpha,
+                     .theta = volume->theta,
+                     .phi = volume->phi,
+                     .rayleigh_share = settings->rayleigh_share};
+    for (int any = 0; any < 2; any++) {
+        char *definitions = text_format("%s\nRAY_CONE %d\nANY_RAY %d", spread, any, any);
+        AirlightSettings with = *settings;
+        with.variant = "intervals"; // the brute force's; of no meaning here
+        with.definitions = definitions;
+        with.shader = "06_epipolar_vsv/airlight_prefix.comp";
+        with.number = interpolated;
+        prefix.ask[any] = airlight_open(&with, maps, map_count);
+        free(definitions);
+    }
+    for (size_t i = 0; i < map_count; i++) {
+        const int kind = (int)maps[i].kind;
+        if (prefix.weigh[kind])
+            continue;
+        char *definitions = text_format("%s\nMAP_KIND %d\nPHASE %d\nGREY %d", spread, kind,
+                                        airlight_phase(settings->phase), settings->grey);
+        prefix.weigh[kind] = shader_open("weights", definitions, "06_epipolar_vsv/weights.comp");
+        prefix.sum[kind] = shader_open("prefix sums", definitions, "06_epipolar_vsv/prefix.comp");
+        free(definitions);
+    }
+    free(spread);
+    const size_t channels = settings->grey ? 1 : 4, rows = (size_t)volume->alpha * (size_t)volume->theta;
+    const GLenum format = settings->grey ? GL_R32F : GL_RGBA32F;
+    prefix.weights = gl_buffer(.label = "weights of phi", .bytes = channels * (size_t)volume->alpha *
+                                                                   (size_t)volume->phi / 8 * sizeof(float));
+    prefix.sums = gl_buffer(.label = "prefix sums",
+                            .bytes = channels * rows * (size_t)volume->phi / 32 * sizeof(float));
+    prefix.weight_texels = texels_of(prefix.weights, GL_RGBA32F, "weights of phi");
+    prefix.single_weights = texels_of(prefix.weights, format, "weights of phi, one by one");
+    prefix.sum_texels = texels_of(prefix.sums, format, "prefix sums");
+    return prefix;
+}
+
+void prefix_close(Prefix *prefix)
+{
+    for (int any = 0; any < 2; any++)
+        airlight_close(&prefix->ask[any]);
+    for (int i = 0; i < 3; i++) {
+        shader_close(prefix->weigh[i]);
+        shader_close(prefix->sum[i]);
+    }
+    gl_texture_delete(&prefix->weight_texels);
+    gl_texture_delete(&prefix->single_weights);
+    gl_texture_delete(&prefix->sum_texels);
+    gl_buffer_delete(&prefix->weights);
+    gl_buffer_delete(&prefix->sums);
+}
+
+bool prefix_can(const Vsv *vsv, const Light *light)
+{
+    return vsv->frame.at_infinity || vsv->frame.distance > light->radius;
+}
+
+static void dispatch(const Shader *shader, int wide, int high)
+{
+    shader_use(shader);
+    gl.DispatchCompute((GLuint)(wide + 63) / 64, (GLuint)high, 1);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void prefix_weigh(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
+{
+    const Shader *shader = prefix->weigh[view->map->kind];
+    const vec3 extinction = view->scene->medium.scattering + view->scene->medium.absorption;
+    vsv_bind(vsv, shader);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, prefix->weights);
+    shader_set_vec3(shader, "extinction", (const float *)&extinction);
+    shader_set_float(shader, "mean_cosine", view->scene->medium.mean_cosine);
+    shader_set_float(shader, "rayleigh_share", prefix->rayleigh_share);
+    dispatch(shader, prefix->phi / 8, prefix->alpha);
+}
+
+void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
+{
+    const Shader *shader = prefix->sum[view->map->kind];
+    vsv_bind(vsv, shader);
+    gl.BindImageTexture(0, prefix->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, prefix->sums);
+    dispatch(shader, prefix->theta, prefix->alpha);
+}
+
+// Whether every view ray begins at the eye, ends where the grid does, and passes the light outside its radius.
+static bool plain_rays(const Vsv *vsv, const Light *light)
+{
+    const float least = sinf(vsv->range.alpha_least), most = sinf(vsv->range.alpha_most);
+    const bool outside = vsv->frame.at_infinity || vsv->frame.distance * fminf(least, most) > light->radius;
+    return vsv->whole && outside && light->kind != LIGHT_SPOT;
+}
+
+const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light *light)
+{
+    return &prefix->ask[!plain_rays(vsv, light)];
+}
+
+void prefix_bind(const Prefix *prefix, const Vsv *vsv)
+{
+    const GLenum format = prefix->ask[0].settings.grey ? GL_R32F : GL_RGBA32F;
+    gl.BindImageTexture(5, vsv->single, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
+    gl.BindImageTexture(6, prefix->sum_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
+    gl.BindImageTexture(7, prefix->single_weights, 0, GL_FALSE, 0, GL_READ_ONLY, format);
+}

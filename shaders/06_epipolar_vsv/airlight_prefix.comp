@@ -1,0 +1,121 @@
+// Airlight from the volume's bits by two fetches a view ray: what has been summed up to the word in which the ray ends, and that word. Between the grid's view
+// rays it is interpolated (METHOD 1), or the nearest is taken (METHOD 0).
+#include "common/airlight_ray.glsl"
+#include "06_epipolar_vsv/query.glsl"
+#include "06_epipolar_vsv/stretch.glsl"
+#include "06_epipolar_vsv/weight.glsl"
+layout(binding = 5, r32ui) readonly uniform uimageBuffer words;
+#if GREY
+layout(binding = 6, r32f) readonly uniform imageBuffer prefixes;
+layout(binding = 7, r32f) readonly uniform imageBuffer weights; // a byte of φ
+#else
+layout(binding = 6, rgba32f) readonly uniform imageBuffer prefixes;
+layout(binding = 7, rgba32f) readonly uniform imageBuffer weights;
+#endif
+
+// ANY_RAY 0: every ray begins at the eye, ends in the grid and passes outside the light's radius. This renderer computes both sides of an if.
+#define NEAREST 0
+#define LINEAR 1
+#if METHOD == LINEAR
+const int CORNERS = 4;
+#else
+const int CORNERS = 1;
+#endif
+
+// The view rays of the grid about the pixel's, and how much each counts.
+struct Corners {
+    int alpha[CORNERS], row[CORNERS]; // row: its first word
+    float share[CORNERS];
+};
+
+//[corners
+Corners corners_of(vec2 place) // (α, θ)
+{
+    Corners corners;
+#if METHOD == LINEAR
+    place -= 0.5; // a row stands for the middle of its voxels
+    vec2 below = floor(place), beyond = place - below;
+    bool round_trip = epipolar_span.y > 2.0 * EPIPOLAR_PI - 1e-4; // the first slice follows the last
+    ivec2 last = epipolar_count.xy - 1, least = max(ivec2(below), ivec2(0)), most = min(ivec2(below) + 1, last);
+    least.y = round_trip && below.y < 0.0 ? last.y : least.y;
+    most.y = round_trip && int(below.y) == last.y ? 0 : most.y;
+    for (int k = 0; k < CORNERS; k++) {
+        bool farther = (k & 1) == 1, next = k >> 1 == 1;
+        corners.alpha[k] = farther ? most.x : least.x;
+        corners.row[k] = epipolar_word(corners.alpha[k], next ? most.y : least.y, 0);
+        corners.share[k] = (farther ? beyond.x : 1.0 - beyond.x) * (next ? beyond.y : 1.0 - beyond.y);
+    }
+#else
+    ivec2 row = clamp(ivec2(place), ivec2(0), epipolar_count.xy - 1);
+    corners.alpha[0] = row.x;
+    corners.row[0] = epipolar_word(row.x, row.y, 0);
+    corners.share[0] = 1.0;
+#endif
+    return corners;
+}
+//]
+
+//[reached
+// ∫ V ρ e^(-σ (t + r)) dφ from where the grid begins up to φ.
+Weight reached(Corners corners, float phi)
+{
+    float place = clamp(epipolar_phi_place(phi), 0.0, float(epipolar_count.z));
+    int word = min(int(place) >> 5, epipolar_row_words() - 1);
+    float start = float(32 * word), into = place - start; // 0 … 32 bits of the last word
+    int whole = min(int(into), 31), byte = 4 * word + (whole >> 4); // the byte in the middle of them
+    float part = into - float(whole);                               // of bit number `whole`
+    // A voxel stands for its middle: where that lies beyond the end, perhaps inside what ends the ray, the one before speaks for the part.
+    int speaks = part < 0.5 ? max(whole - 1, 0) : whole;
+    uint before = (1u << whole) - 1u;
+    Weight sum = Weight(0.0);
+    for (int k = 0; k < CORNERS; k++) {
+        uint bits = ~imageLoad(words, corners.row[k] + word).x;
+        float lit = float(bitCount(bits & before)) + part * float((bits >> speaks) & 1u);
+        sum += corners.share[k] * (weight_load(imageLoad(prefixes, corners.row[k] + word)) +
+                                   0.125 * lit * weight_load(imageLoad(weights, corners.alpha[k] * (epipolar_count.z / 8) + byte)));
+    }
+    return sum;
+}
+//]
+
+#if ANY_RAY && MAP_KIND != DIRECTIONAL
+//[inverse_distance
+// 1/D; for a ray through the light's radius, where the inverse square is held, what stands for it: ∫ dt / max(r, r0)² over Δφ.
+float inverse_distance(Ray ray, float turned)
+{
+    float half_chord = sqrt(max(light_radius - ray.nearest, 0.0)) * sqrt(light_radius + ray.nearest);
+    float a = clamp(ray.from - ray.foot, -half_chord, half_chord), b = clamp(ray.to - ray.foot, -half_chord, half_chord);
+    float inside = atan(ray.nearest * (b - a), ray.nearest * ray.nearest + a * b);
+    float held = ((b - a) / light_radius / light_radius + max(turned - inside, 0.0) / ray.nearest) / max(turned, 1e-30);
+    return ray.nearest < light_radius ? held : 1.0 / ray.nearest;
+}
+//]
+#endif
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    Ray ray = ray_of(pixel);
+    if (!ray_needed(pixel, ray))
+        return;
+    vec3 epipolar = to_epipolar(ray.direction);
+    vec2 alpha = vec2(length(cross(epipolar_axis, ray.direction)), dot(epipolar_axis, ray.direction));
+    float phi = epipolar_phi(alpha, ray.to), turned = phi;
+    Corners corners = corners_of(vec2(epipolar_alpha_place(epipolar.x), epipolar_theta_place(epipolar.y)));
+    Weight sum = reached(corners, phi);
+    vec3 rest = vec3(0.0);
+#if ANY_RAY
+    float from = ray.from > 0.0 ? epipolar_phi(alpha, ray.from) : 0.0; // a cone's border
+    sum -= reached(corners, from);
+    turned -= from;
+    // No occluder reaches beyond the grid: there all is lit.
+    float most = epipolar_least.z + epipolar_span.z, border = clamp(epipolar_along(alpha, most), ray.from, ray.to);
+    rest = stretch(ray, phi > most * (1.0 + 1e-5) ? border : ray.to, ray.to);
+#endif
+#if ANY_RAY && MAP_KIND != DIRECTIONAL
+    sum *= inverse_distance(ray, turned);
+#elif MAP_KIND != DIRECTIONAL
+    sum /= ray.nearest;
+#endif
+    ray_store(pixel, ray, vec3(sum) + rest, 3u * uint(CORNERS));
+}
