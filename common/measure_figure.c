@@ -183,7 +183,8 @@ void measure_bars(const char *path, const char *title, const char *metric, const
     FILE *script = figure_begin(path, title, metric, &temporary);
     fputs(
         "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.85 border lc rgb "
-        "'white'\nset boxwidth 0.6\nset yrange [0:*]\nset grid ytics lt 1 lc rgb '#cccccc'\nset xtics "
+        "'white'\nset boxwidth 0.6\nset yrange [0:*]\nset grid ytics lt 1 lc rgb '#cccccc'\nset xtics font "
+        "',9' "
         "noenhanced\n"
         "$bars << END_OF_BARS\n",
         script);

@@ -212,7 +212,9 @@ Test(conservative, near_and_far_lights)
 }
 Test(conservative, scales)
 {
-    for (float scale = 1e-6f; scale < 1e7f; scale *= 1e12f) {
+    static const float scales[] = {1e-6f, 1e6f};
+    for (int i = 0; i < 2; i++) {
+        const float scale = scales[i];
         VoxelBench bench = voxels_bench(scale * EYE, scale * LAMP, 16, 16, 32);
         add_random(&bench, 5, (double)scale);
         check_all(&bench, scale < 1 ? "small" : "large");

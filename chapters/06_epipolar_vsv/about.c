@@ -24,6 +24,7 @@ static const RunParameter parameters[] = {
     {.name = "filter", .kind = RUN_CHOICE, .choices = "none epipolar", .shows = "rows that a pixel asks: the nearest, or four over its own width (prefix: the four about it, weighted)"},
     {.name = "texture", .kind = RUN_CHOICE, .choices = "none window", .shows = "what the light shines through"},
     {.name = "steps", .kind = RUN_INTEGER, .least = 1, .most = 16384, .initial = {64}, .unit = "samples", .shows = "march, equiangular, bounds: samples a ray"},
+    {.name = "samples", .kind = RUN_INTEGER, .least = 0, .most = 16384, .initial = {0}, .unit = "rays", .shows = "rays: shadow rays a view ray; 0: as many as phi"},
     {.name = "phase", .kind = RUN_CHOICE, .choices = "uniform rayleigh henyey_greenstein hoffman_preetham hoffman_preetham_normalized", .shows = "how scattered light is shared out; mean_cosine is g"},
     {.name = "rayleigh_share", .kind = RUN_NUMBER, .least = 0, .most = 1, .initial = {0.3}, .shows = "Hoffman and Preetham: Rayleigh's share of the scattering"},
     {.name = "map", .kind = RUN_INTEGER, .least = 16, .most = 8192, .initial = {1024}, .unit = "texels", .shows = "a side of the depth maps"},

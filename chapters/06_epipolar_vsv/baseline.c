@@ -12,15 +12,17 @@ typedef struct Inputs {
 } Inputs;
 
 static void inputs_read(Inputs *inputs, const Vsv *vsv, const QueryView *view,
-                        const AirlightSettings *settings)
+                        const AirlightSettings *settings, int samples)
 {
+    EpipolarRange range = vsv->range;
+    range.phi = samples > 0 ? samples : range.phi;
     const int width = view->gbuffer->width, height = view->gbuffer->height;
     const size_t pixels = (size_t)width * (size_t)height;
     inputs->phase = (TruthPhase){settings->phase, (double)view->scene->medium.mean_cosine,
                                  (double)settings->rayleigh_share};
     inputs->distance = memory_new(pixels, sizeof(float), "distances");
     gl_texture_read(view->gbuffer->distance, 0, GL_RED, GL_FLOAT, pixels * sizeof(float), inputs->distance);
-    inputs->angles = rays_angles(&vsv->range, strcmp(vsv->settings.warp, "square") == 0);
+    inputs->angles = rays_angles(&range, strcmp(vsv->settings.warp, "square") == 0);
     inputs->view = (RaysView){.scene = view->scene,
                               .light = view->light,
                               .camera = view->camera,
@@ -30,8 +32,8 @@ static void inputs_read(Inputs *inputs, const Vsv *vsv, const QueryView *view,
                               .height = height,
                               .distance = inputs->distance,
                               .border = inputs->angles,
-                              .middle = inputs->angles + vsv->range.phi + 1,
-                              .phi = vsv->range.phi};
+                              .middle = inputs->angles + range.phi + 1,
+                              .phi = range.phi};
 }
 
 static void inputs_free(Inputs *inputs)
@@ -41,10 +43,10 @@ static void inputs_free(Inputs *inputs)
 }
 
 RaysCount baseline_airlight(const Rays *rays, const Vsv *vsv, const QueryView *view,
-                            const AirlightSettings *settings, GLuint picture)
+                            const AirlightSettings *settings, int samples, GLuint picture)
 {
     Inputs inputs;
-    inputs_read(&inputs, vsv, view, settings);
+    inputs_read(&inputs, vsv, view, settings, samples);
     const size_t values = 4 * (size_t)inputs.view.width * (size_t)inputs.view.height;
     float *radiance = memory_new(values, sizeof *radiance, "a picture");
     gl_texture_read(picture, 0, GL_RGBA, GL_FLOAT, values * sizeof *radiance, radiance);
@@ -57,10 +59,10 @@ RaysCount baseline_airlight(const Rays *rays, const Vsv *vsv, const QueryView *v
 }
 
 RaysCount baseline_bare(const Rays *rays, const Vsv *vsv, const QueryView *view,
-                        const AirlightSettings *settings, int stride)
+                        const AirlightSettings *settings, int samples, int stride)
 {
     Inputs inputs;
-    inputs_read(&inputs, vsv, view, settings);
+    inputs_read(&inputs, vsv, view, settings, samples);
     const RaysCount count = rays_bare(rays, &inputs.view, stride);
     inputs_free(&inputs);
     return count;

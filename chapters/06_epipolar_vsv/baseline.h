@@ -5,11 +5,11 @@
 #include "query.h"
 #include "rays.h"
 
-// Add it at the light rays φ that the volume has, aimed and its range known.
+// Add it at the light rays φ that the volume has, aimed and its range known; or at `samples` > 0 of them, spread over the same range.
 RaysCount baseline_airlight(const Rays *rays, const Vsv *vsv, const QueryView *view,
-                            const AirlightSettings *settings, GLuint picture);
+                            const AirlightSettings *settings, int samples, GLuint picture);
 // How fast the same rays are when nothing else is done: those of every `stride`-th tile of pixels.
 RaysCount baseline_bare(const Rays *rays, const Vsv *vsv, const QueryView *view,
-                        const AirlightSettings *settings, int stride);
+                        const AirlightSettings *settings, int samples, int stride);
 
 #endif

@@ -69,7 +69,12 @@ const RunRow judge_sweep[] = {
     {"prefix", NULL, "method=map integral=prefix filter=epipolar alpha=256 theta=512", NULL},
     {"map", NULL, "method=map scan=logstep", NULL},
     {"conservative", NULL, "method=conservative", NULL},
+    // Embree's rays at the same angles, and at ever fewer: the fewest that are as near to the truth as the volume make the honest comparison.
     {"rays", NULL, "method=rays phi=128", NULL},
     {"rays", NULL, "method=rays phi=512", NULL},
+    {"rays", NULL, "method=rays samples=256", NULL},
+    {"rays", NULL, "method=rays samples=64", NULL},
+    {"rays", NULL, "method=rays samples=32", NULL},
+    {"rays", NULL, "method=rays samples=16", NULL},
     {NULL, NULL, NULL, NULL},
 };

@@ -1,11 +1,11 @@
 // rays: see rays.h.
-#include "rays.h"
 #include "measure.h"
+#include "rays_internal.h"
 
-#include <embree3/rtcore.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 
 // A packet is a tile of 4 × 4 pixels at one φ: all its rays leave the light side by side. What is done for all of its 16 lanes is written as loops of 16
@@ -18,53 +18,6 @@
 #define INLINE  static inline __attribute__((always_inline))
 #define EACH(i) for (int i = 0; i < LANES; i++)
 enum { LANES = 16, TILE = 4, MOST_THREADS = 64, PHASE_ENTRIES = 4096 };
-struct Rays {
-    RTCScene scene; // holds the device
-};
-
-static void embree_failed(void *unused, enum RTCError code, const char *message)
-{
-    (void)unused;
-    fail_work("Embree error %d: %s", (int)code, message);
-}
-
-Rays *rays_open(const Mesh *mesh)
-{
-    Rays *rays = memory_new(1, sizeof *rays, "Embree's scene");
-    RTCDevice device = rtcNewDevice(NULL);
-    if (device == NULL)
-        fail_work("Embree gives no device (error %d)", (int)rtcGetDeviceError(NULL));
-    rtcSetDeviceErrorFunction(device, embree_failed, NULL);
-    rays->scene = rtcNewScene(device);
-    rtcSetSceneBuildQuality(rays->scene, RTC_BUILD_QUALITY_HIGH);
-    if (mesh->triangle_count > 0) {
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-        // copies, since Embree reads 16 bytes a vertex: past the end of the mesh's own array
-        float *positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                   3 * sizeof(float), mesh->vertex_count);
-        uint32_t *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                    3 * sizeof(uint32_t), mesh->triangle_count);
-        for (size_t i = 0; i < 3 * mesh->vertex_count; i++)
-            positions[i] = mesh->positions[i];
-        for (size_t i = 0; i < 3 * mesh->triangle_count; i++)
-            indices[i] = mesh->indices[i];
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(rays->scene, geometry);
-        rtcReleaseGeometry(geometry);
-    }
-    rtcCommitScene(rays->scene);
-    rtcReleaseDevice(device);
-    return rays;
-}
-
-void rays_close(Rays *rays)
-{
-    if (rays == NULL)
-        return;
-    rtcReleaseScene(rays->scene);
-    free(rays);
-}
 
 // What is the same for all tiles.
 typedef struct Job {
@@ -87,7 +40,7 @@ typedef struct Job {
 // A tile's pixels: their rays as (sin α, cos α) and the unit vector across the axis in each ray's half-plane.
 typedef struct Tile {
     int x, y;
-    float sine[LANES], cosine[LANES], distance[LANES]; // distance < 0: beside the picture
+    float sine[LANES], over_sine[LANES], cosine[LANES], distance[LANES]; // distance < 0: beside the picture
     float beside[3][LANES], along[3][LANES];
 } Tile;
 
@@ -105,6 +58,7 @@ static Tile tile_make(const Job *job, int number)
         const vec3 across = vec3_cross(vec3_cross(axis, way), axis); // sin α long
         const vec3 beside = vec3_normalize(across);
         tile.sine[i] = fmaxf(vec3_length(across), 1e-7f); // on the axis: a ray that passes the light so near
+        tile.over_sine[i] = 1.0f / tile.sine[i];
         tile.cosine[i] = vec3_dot(axis, way);
         for (int k = 0; k < 3; k++) {
             tile.beside[k][i] = beside[k];
@@ -124,27 +78,23 @@ typedef struct Samples {
         __attribute__((aligned(64))); // -1: before the first surface, in the light's cone; else 0
     int count;                        // of those
     int32_t before[LANES]; // -1: before the first surface: where no lane is, none is at any larger φ
-    bool over;
 } Samples;
 
 INLINE void samples_of_sun(const Job *job, const Tile *tile, int k, Samples *at, struct RTCRay16 *ray)
 {
-    const vec3 eye = job->view->frame.eye, axis = job->view->frame.axis;
+    const vec3 eye = job->view->frame.eye;
     const float middle = job->view->middle[k], share = job->share[k];
     EACH(i)
     {
         const float t = middle / tile->sine[i];
         at->path[i] = t;
-        at->weight[i] = share / tile->sine[i];
+        at->weight[i] = share * tile->over_sine[i];
         at->turn[0][i] = tile->sine[i];
         at->turn[1][i] = tile->cosine[i];
         at->inside[i] = at->before[i] = t <= tile->distance[i] ? -1 : 0;
         ray->org_x[i] = eye[0] + t * tile->along[0][i];
         ray->org_y[i] = eye[1] + t * tile->along[1][i];
         ray->org_z[i] = eye[2] + t * tile->along[2][i];
-        ray->dir_x[i] = axis[0];
-        ray->dir_y[i] = axis[1];
-        ray->dir_z[i] = axis[2];
         ray->tfar[i] = INFINITY;
     }
 }
@@ -152,7 +102,7 @@ INLINE void samples_of_sun(const Job *job, const Tile *tile, int k, Samples *at,
 INLINE void samples_of_lamp(const Job *job, const Tile *tile, int k, Samples *at, struct RTCRay16 *ray)
 {
     const RaysView *view = job->view;
-    const vec3 axis = view->frame.axis, lamp = view->light->position, ahead = job->cone_axis;
+    const vec3 axis = view->frame.axis, ahead = job->cone_axis;
     const float s = job->sine[k], c = job->cosine[k], far = view->frame.distance, share = job->share[k] / far;
     const float over_radius = 1.0f / view->light->radius, least = job->cone_cosine;
     EACH(i)
@@ -163,19 +113,35 @@ INLINE void samples_of_lamp(const Job *job, const Tile *tile, int k, Samples *at
                     z = s * tile->beside[2][i] - c * axis[2];
         const float held = r * over_radius, in_cone = x * ahead[0] + y * ahead[1] + z * ahead[2] - least;
         at->path[i] = t + r;
-        at->weight[i] = share / tile->sine[i] * (held < 1.0f ? held * held : 1.0f);
+        at->weight[i] = share * tile->over_sine[i] * (held < 1.0f ? held * held : 1.0f);
         at->turn[0][i] = third;
         at->turn[1][i] = tile->cosine[i] * c - tile->sine[i] * s;
         // `third` is held above 0, so that what lies beyond any point of the ray is as far as it can be, and no further
         at->before[i] = ((third > 1e-9f) & (t <= tile->distance[i])) ? -1 : 0;
         at->inside[i] = in_cone >= 0.0f ? at->before[i] : 0;
-        ray->org_x[i] = lamp[0];
-        ray->org_y[i] = lamp[1];
-        ray->org_z[i] = lamp[2];
         ray->dir_x[i] = x;
         ray->dir_y[i] = y;
         ray->dir_z[i] = z;
         ray->tfar[i] = r;
+    }
+}
+
+// What all packets have in common, since Embree changes tfar alone: the lamp as origin, or the way to the sun.
+INLINE void packet_begin(const Job *job, struct RTCRay16 *ray)
+{
+    const vec3 lamp = job->view->light->position, axis = job->view->frame.axis;
+    EACH(i)
+    {
+        ray->org_x[i] = lamp[0];
+        ray->org_y[i] = lamp[1];
+        ray->org_z[i] = lamp[2];
+        ray->dir_x[i] = axis[0];
+        ray->dir_y[i] = axis[1];
+        ray->dir_z[i] = axis[2];
+        ray->tnear[i] = 0.0f;
+        ray->time[i] = 0.0f;
+        ray->mask[i] = UINT32_MAX;
+        ray->flags[i] = 0;
     }
 }
 
@@ -185,18 +151,23 @@ INLINE void samples_at(const Job *job, const Tile *tile, int k, Samples *at, str
         samples_of_sun(job, tile, k, at, ray);
     else
         samples_of_lamp(job, tile, k, at, ray);
-    int before = 0;
-    at->count = 0;
+    int count = 0;
     EACH(i)
     {
-        ray->tnear[i] = 0.0f;
-        ray->time[i] = 0.0f;
-        ray->mask[i] = UINT32_MAX;
-        ray->flags[i] = 0;
-        at->count -= at->inside[i];
+        count -= at->inside[i];
+    }
+    at->count = count;
+}
+
+// Whether all 16 pixels' rays have ended.
+INLINE bool samples_over(const Samples *at)
+{
+    int before = 0;
+    EACH(i)
+    {
         before -= at->before[i];
     }
-    at->over = before == 0;
+    return before == 0;
 }
 
 static void apply_phase(const Job *job, Samples *at)
@@ -225,6 +196,13 @@ INLINE float exponential(float x)
     return scale.value * (1.0f + f * (1.0f + f * (0.5f + f * (1.66666667e-1f + f * tail))));
 }
 
+static long long processor_now(void) // nanoseconds of this thread
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1000000000LL * now.tv_sec + now.tv_nsec;
+}
+
 static struct RTCIntersectContext coherent(void)
 {
     struct RTCIntersectContext context;
@@ -241,11 +219,12 @@ WIDE static void draw_tile(Job *job, const Tile *tile)
     struct RTCIntersectContext context = coherent();
     float sum[3][LANES] = {{0}};
     long long sent = 0;
+    struct RTCRay16 ray;
+    Samples at;
+    packet_begin(job, &ray);
     for (int k = 0; k < view->phi; k++) {
-        struct RTCRay16 ray;
-        Samples at;
         samples_at(job, tile, k, &at, &ray);
-        if (at.over)
+        if (at.count == 0 && samples_over(&at))
             break;
         if (at.count == 0)
             continue;
@@ -279,34 +258,39 @@ WIDE static void shoot_tile(Job *job, const Tile *tile)
     struct RTCRay16 ray[AHEAD];
     Samples at[AHEAD];
     struct RTCIntersectContext context = coherent();
-    long long sent = 0;
-    double milliseconds = 0.0;
+    long long sent = 0, spent = 0;
+    for (int i = 0; i < AHEAD; i++)
+        packet_begin(job, &ray[i]);
     for (int k = 0, filled = 0; k < job->view->phi; k++) {
         samples_at(job, tile, k, &at[filled], &ray[filled]);
         sent += at[filled].count;
-        const bool last = k + 1 == job->view->phi || at[filled].over;
+        const bool last = k + 1 == job->view->phi || (at[filled].count == 0 && samples_over(&at[filled]));
         filled += at[filled].count > 0;
         if (filled < AHEAD && !last)
             continue;
-        const double start = measure_now_ms();
+        const long long start = processor_now();
         for (int i = 0; i < filled; i++)
             rtcOccluded16(at[i].inside, job->rays->scene, &context, &ray[i]);
-        milliseconds += measure_now_ms() - start;
+        spent += processor_now() - start;
         filled = 0;
         if (last)
             break;
     }
     atomic_fetch_add(&job->sent, sent);
-    atomic_fetch_add(&job->nanoseconds, (long long)(milliseconds * 1e6));
+    atomic_fetch_add(&job->nanoseconds, spent);
 }
 
 static void *work(void *shared)
 {
     Job *job = shared;
+    const long long start = processor_now();
     for (;;) {
         const int number = job->stride * atomic_fetch_add(&job->next, 1);
-        if (number >= job->tiles)
+        if (number >= job->tiles) {
+            if (job->picture)
+                atomic_fetch_add(&job->nanoseconds, processor_now() - start);
             return NULL;
+        }
         const Tile tile = tile_make(job, number);
         if (job->picture)
             draw_tile(job, &tile);
@@ -367,9 +351,8 @@ static RaysCount run_job(Job *job)
 {
     const double start = measure_now_ms();
     const int threads = run_threads(job);
-    const double seconds =
-        job->picture ? (measure_now_ms() - start) / 1e3 : (double)job->nanoseconds / 1e9 / threads;
-    const RaysCount count = {(double)job->sent, seconds};
+    const RaysCount count = {(double)job->sent, (measure_now_ms() - start) / 1e3,
+                             (double)job->nanoseconds / 1e9 / threads};
     free(job->sine);
     free(job);
     return count;

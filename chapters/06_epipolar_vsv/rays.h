@@ -29,7 +29,8 @@ typedef struct RaysView {
 float *rays_angles(const EpipolarRange *range, bool square);
 
 typedef struct RaysCount {
-    double rays, seconds; // sent; on all cores together
+    double rays, seconds;     // sent, on all cores together; on the wall's clock
+    double processor_seconds; // of one core, the mean of all: what others on the machine do is not in it
 } RaysCount;
 // Add it to a picture of 4 floats a pixel, bottom row first, W/(sr·m²).
 RaysCount rays_draw(const Rays *rays, const RaysView *view, float *picture);

@@ -20,6 +20,7 @@ typedef struct Technique {
     Query query;
     Triangles triangles;
     Rays *rays;
+    int samples;    // of theirs a view ray; 0: as many as the volume has φ
     bool bounded;   // brute force between bounds of shadow alone
     Bounds *bounds; // one a light
     Vsv *vsv;       // one a light

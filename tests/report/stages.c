@@ -27,17 +27,32 @@ static bool same_bar(const SweepRow *a, const SweepRow *b)
     return same;
 }
 
-// The technique; under it the settings, where the group has it more than once without an oracle. The caller frees it.
+// Whether a row of the group with the same technique has another value of this setting ("steps=64").
+static bool varies(const SweepRow **group, size_t count, const SweepRow *row, const char *setting)
+{
+    char *key = text_format("%.*s", (int)strcspn(setting, "="), setting),
+         *value = setting_of(row->settings, key);
+    bool differs = false;
+    for (size_t i = 0; i < count && !differs; i++) {
+        char *other = setting_of(group[i]->settings, key);
+        differs = strcmp(group[i]->technique, row->technique) == 0 && (!other || strcmp(other, value) != 0);
+        free(other);
+    }
+    free(key);
+    free(value);
+    return differs;
+}
+
+// The technique; under it the settings by which the group's rows of this technique differ, the oracle apart. The caller frees it.
 static char *bar_name(const SweepRow **group, size_t count, const SweepRow *row)
 {
-    size_t same = 0;
-    for (size_t i = 0; i < count; i++) {
-        char *oracle = oracle_of(group[i]);
-        same += !oracle && strcmp(group[i]->technique, row->technique) == 0;
-        free(oracle);
-    }
-    char *rest = without_oracle(row->settings),
-         *name = same > 1 ? text_format("%s\n%s", row->technique, rest) : text_format("%s", row->technique);
+    char *rest = without_oracle(row->settings), *name = text_format("%s", row->technique);
+    for (char *from = rest, *setting; (setting = strsep(&from, ";")) != NULL;)
+        if (*setting && varies(group, count, row, setting)) {
+            char *longer = text_format("%s\n%s", name, setting);
+            free(name);
+            name = longer;
+        }
     free(rest);
     return name;
 }
@@ -73,6 +88,33 @@ static size_t stages_of(const SweepRow **group, size_t count, const char **stage
     return found;
 }
 
+// Each bar as a whole, its error under its name: errors of methods lie powers of ten apart, and of a bar too short to be seen no stage could be told.
+static void shares_draw(const char *path, const char *title, const SweepRow *row, const FigureBars *bars,
+                        const Machine *machine)
+{
+    double *shares = memory_new(bars->bar_count * bars->part_count, sizeof *shares, "bars");
+    char **names = memory_new(bars->bar_count, sizeof *names, "bars"),
+         *axis = text_format("share of %s", row->metric);
+    for (size_t b = 0; b < bars->bar_count; b++) {
+        const double *parts = bars->values + b * bars->part_count;
+        double error = 0;
+        for (size_t p = 0; p < bars->part_count; p++)
+            error += parts[p];
+        for (size_t p = 0; p < bars->part_count && error > 0; p++)
+            shares[b * bars->part_count + p] = parts[p] / error;
+        names[b] = text_format("%s\n%.2g", bars->bars[b], error);
+    }
+    measure_bars(
+        path, title, axis,
+        &(FigureBars){(const char *const *)names, bars->parts, bars->bar_count, bars->part_count, shares},
+        machine);
+    for (size_t b = 0; b < bars->bar_count; b++)
+        free(names[b]);
+    free(names);
+    free(shares);
+    free(axis);
+}
+
 static void bars_draw(FILE *page, const Chapter *chapter, const SweepRow *row, const FigureBars *bars)
 {
     char *label = text_format("%s-budget", chapter->name), *name = group_name(label, row),
@@ -81,7 +123,7 @@ static void bars_draw(FILE *page, const Chapter *chapter, const SweepRow *row, c
     static const char *const endings[] = {"svg", "png"};
     for (int i = 0; i < 2; i++) {
         char *path = text_format("%s/%s.%s", chapter->folder, name, endings[i]);
-        measure_bars(path, title, row->metric, bars, &chapter->machine);
+        shares_draw(path, title, row, bars, &chapter->machine);
         free(path);
     }
     char *path = text_format("%s/%s.csv", chapter->folder, name);
@@ -94,7 +136,8 @@ static void bars_draw(FILE *page, const Chapter *chapter, const SweepRow *row, c
         }
     csv_close(csv);
     page_figure(page, chapter->folder, name,
-                "A bar is the error E of a row. With a stage exact it is E', and the stage's part is in "
+                "A bar is the error E of a row, which stands under it. With a stage exact it is E', and the "
+                "stage's part is in "
                 "proportion to E² − E'²; where the parts "
                 "add to more than E² they are scaled to it.",
                 &chapter->machine);
