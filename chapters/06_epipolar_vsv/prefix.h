@@ -1,6 +1,9 @@
 // prefix: airlight summed up along the grid's own view rays, so that a pixel asks two numbers a view ray: the sum up to the word in which its ray ends, and that
 // word's bits. Between view rays the sums are smooth, so they may be interpolated (Engelhardt and Dachsbacher 2010 interpolate airlight along epipolar lines): they
 // belong to places in the air and know nothing of surfaces, so no edge of a surface is interpolated across.
+//
+// Where it loses: the few brightest pixels beside a light in view. On the toroid at 512x512 nrmse, which they rule, is 0.022 for the runs' 0.003, while rel_rmse,
+// over all pixels, is 0.0043 for their 0.0051.
 #ifndef PREFIX_H
 #define PREFIX_H
 
