@@ -246,7 +246,8 @@ Test(epipolar, ranges_hold_what_is_seen)
         double least = 9, most = 0, turn_least = 9, turn_most = -9;
         const double middle = (double)range.theta_least + 0.5 * (double)range.theta_span;
         for (int i = 0; i < 61 * 61; i++) {
-            const float x = 1.5f * half * ((float)(i % 61) / 30 - 1), y = half * ((float)(i / 61) / 30 - 1);
+            const int column = i % 61, row = i / 61;
+            const float x = 1.5f * half * ((float)column / 30 - 1), y = half * ((float)row / 30 - 1);
             vec3 ray = {0};
             for (int k = 0; k < 3; k++)
                 ray[k] = x * view.column[k][0] + y * view.column[k][1] - view.column[k][2];

@@ -177,8 +177,8 @@ static void check_refused(const char *arguments, const char *says)
 }
 Test(epipolar_program, wrong_requests)
 {
-    check_refused("--scene stage --set texture=window", "closed forms know no texture");
-    check_refused("--scene stage --set texture=window --set method=march", "knows no texture");
+    check_refused("--scene stage --set texture=window", "integral=runs knows no texture");
+    check_refused("--scene stage --set texture=window --set method=march", "method=march: knows no texture");
     check_refused("--scene stage_sun --set shape=paraboloid", "maps of all directions");
     check_refused("--scene fence --set method=solid", "needs closed meshes");
     check_refused("--scene stage --path deform", "keeps its shape");

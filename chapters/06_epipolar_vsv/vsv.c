@@ -12,7 +12,10 @@ char *vsv_definitions(const VsvSettings *settings)
 
 static int level_count(const Vsv *vsv, int level) // α of a level of the mip chain
 {
-    return (vsv->settings.alpha + (1 << level) - 1) >> level;
+    int count = vsv->settings.alpha;
+    for (int i = 0; i < level; i++)
+        count = (count + 1) / 2;
+    return count;
 }
 
 Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)

@@ -3,8 +3,9 @@
 # lesson. chapters/CHAPTER/figures.txt says how, a line each, fields separated by a tab:
 #   sweep<TAB>options of the program          stability<TAB>options of the program
 #   NAME.png<TAB>options of build/figure, such as --metric missing --scene bunny
-#   passes<TAB>NAME.csv<TAB>options           what each pass costs, a row a line: its ms in the last of three frames of --plan along --path light, where
-#                                             everything is built anew and shaders are warm. Rows of one NAME.csv follow each other
+#   passes<TAB>NAME.csv<TAB>options           what each pass costs, a row a line: its ms in the last of two frames (or as many as the options say) of --plan
+#                                             along --path light, where everything is built anew and shaders are warm. Rows of one NAME.csv follow each
+#                                             other. technique: without what all methods share; times, frame_times: how often it goes into the scene's first row
 set -u
 build=$1 chapter=$2
 folder=chapters/$chapter
@@ -21,7 +22,7 @@ passes()
     name=$1
     shift
     # shellcheck disable=SC2086,SC2048 # options are words
-    timeout 120 "$build/$chapter" $* --path light --frames 3 --plan --json >"$plan" </dev/null || return
+    timeout 120 "$build/$chapter" --path light --frames 2 $* --plan --json >"$plan" </dev/null || return
     settings=$(printf '%s\n' "$*" | awk '{ for (i = 1; i < NF; i++) if ($i == "--set") text = text (text == "" ? "" : ";") $(i + 1); print text }')
     jq -r --arg name "$name" --arg settings "$settings" \
         '.scene as $scene | ((.passes[] | [.name, .ms]), ["all", .total_ms]) | [$name, $scene, $settings, (.[0] | gsub(" "; "_")), .[1]] | @tsv' \
@@ -29,20 +30,28 @@ passes()
     {
         sed -n '/^#/!q; s/^# command: .*/# command: make figures/; p' "$folder/figures.csv"
         awk -F '\t' -v name="$name" '
+            BEGIN { split("depth_maps G-buffer surfaces deform attenuation sum all", names, " "); for (n in names) common[names[n]] = 1 }
             $1 == name {
                 row = $2 "," $3
                 if (!(row in seen)) { seen[row] = 1; order[++count] = row }
                 if (!($4 in column)) { column[$4] = 1; pass[++passes] = $4 }
                 ms[row, $4] = $5
+                if (!($4 in common)) technique[row] += $5
+                scene[row] = $2
+                if (!($2 in first)) first[$2] = row
             }
             END {
                 printf "scene,settings"
                 for (p = 1; p <= passes; p++) printf ",%s", pass[p]
-                print ""
+                print ",technique,times,frame_times"
                 for (r = 1; r <= count; r++) {
-                    printf "%s", order[r]
-                    for (p = 1; p <= passes; p++) printf (ms[order[r], pass[p]] > 0 ? ",%.4f" : ","), ms[order[r], pass[p]]
-                    print ""
+                    row = order[r]
+                    against = first[scene[row]]
+                    printf "%s", row
+                    for (p = 1; p <= passes; p++) printf (ms[row, pass[p]] > 0 ? ",%.4f" : ","), ms[row, pass[p]]
+                    printf ",%.4f", technique[row]
+                    printf (technique[row] > 0 ? ",%.4f" : ","), (technique[row] > 0 ? technique[against] / technique[row] : 0)
+                    printf (ms[row, "all"] > 0 ? ",%.4f\n" : ",\n"), (ms[row, "all"] > 0 ? ms[against, "all"] / ms[row, "all"] : 0)
                 }
             }' "$rows"
     } >"$folder/$name.tmp" && mv "$folder/$name.tmp" "$folder/$name"
