@@ -269,7 +269,8 @@ static void check_worst(Run *run, const Camera *camera, const AirlightSettings *
     const double far = (double)vec3_length(light->position - camera->eye);
     double largest = 0.0;
     for (int i = 0; i < width * height; i++) { // bottom row first, as spans are
-        const int pixel = (height - 1 - i / width) * width + i % width;
+        const int row = height - 1 - i / width;
+        const size_t pixel = (size_t)row * (size_t)width + (size_t)(i % width);
         const double expected = (double)truth.pixels[4 * pixel],
                      error = fabs((double)got->pixels[4 * pixel] - expected) / expected;
         if (first[i] < first[i + 1] && expected >= 1.2e-38 && airlight_chord_counts(spans[first[i]], far))

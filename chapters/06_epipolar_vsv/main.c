@@ -113,6 +113,8 @@ int main(int argc, char **argv)
             const bool asked = (glows && scatters) || flat_shown; // whether anything asks the volumes
 
             //[maps
+            if (changed)
+                raster_view_aim(&view); // also where no map is drawn: its origin is the light's place
             if (run_pass_common(run, "depth maps",
                                 changed && lights > 0 && (clear || shown[PICTURE] || (asked && any_casts)),
                                 lights == 0 ? NO_LIGHT

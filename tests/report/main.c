@@ -59,7 +59,7 @@ static void family_write(FILE *page, const char *out, const char *family, const 
 {
     SweepRow *rows = NULL;
     size_t row_count = 0, of = 0;
-    const Chapter *last = NULL, **members = memory_new(count, sizeof *members, "a family's chapters");
+    const Chapter *last = NULL, **members = memory_new(count, sizeof(const Chapter *), "a family's chapters");
     for (size_t i = 0; i < count; i++) {
         if (!chapter_tells(&chapters[i], "family", family, false) || !chapters[i].row_count)
             continue;

@@ -133,8 +133,9 @@ static void truth_of(const Scene *scene, const TruthPhase *phase, double red[RAY
     Truth *truth = truth_open(&scene->mesh);
     TruthShadows *shadows = truth_shadows_open(&scene->mesh, truth);
     for (int i = 0; i < RAYS; i++) {
-        const double u = half * (2.0 * (i % SIDE + 0.5) / SIDE - 1.0),
-                     v = half * (2.0 * (i / SIDE + 0.5) / SIDE - 1.0);
+        const int column = i % SIDE, row = i / SIDE;
+        const double u = half * (2.0 * (column + 0.5) / SIDE - 1.0),
+                     v = half * (2.0 * (row + 0.5) / SIDE - 1.0);
         double origin[3], direction[3], radiance[3], length = 0.0;
         for (int k = 0; k < 3; k++) {
             origin[k] = (double)scene->camera.eye[k];
