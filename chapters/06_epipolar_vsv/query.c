@@ -37,6 +37,9 @@ Query query_open(const QuerySettings *settings, const AirlightSettings *airlight
     query.counts = airlight_open(&with, maps, map_count);
     with.shader = "06_epipolar_vsv/surface.comp";
     query.surface = airlight_open(&with, maps, map_count);
+    with.shader = "06_epipolar_vsv/beyond.comp";
+    if (settings->rays)
+        query.beyond = airlight_open(&with, maps, map_count);
     query.prefixed = strcmp(settings->integral, "prefix") == 0;
     if (query.prefixed)
         query.prefix = prefix_open(airlight, volume, maps, map_count, settings->filtered);
@@ -51,6 +54,7 @@ void query_close(Query *query)
     airlight_close(&query->range);
     airlight_close(&query->counts);
     airlight_close(&query->surface);
+    airlight_close(&query->beyond);
     prefix_close(&query->prefix);
     gl_buffer_delete(&query->phi);
 }
@@ -111,6 +115,11 @@ void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, G
 void query_counts(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
 {
     ask(&query->counts, vsv, view, picture);
+}
+
+void query_beyond(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
+{
+    ask(&query->beyond, vsv, view, picture);
 }
 
 void query_surface(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)

@@ -6,7 +6,7 @@
 
 // Shaders that start from common/airlight_ray.glsl and 06_epipolar_vsv/query.glsl, for all of a scene's lights.
 typedef struct Query {
-    Airlight airlight, range, counts, surface;
+    Airlight airlight, range, counts, surface, beyond;
     Prefix prefix;
     bool textured, prefixed;
     GLuint phi; // least and most; the nearest surface
@@ -17,6 +17,7 @@ typedef struct QuerySettings {
     int slice;     // factored: voxels that share one evaluation of what is smooth
     bool filtered; // four rows a pixel instead of the nearest
     bool textured; // the light shines through a window
+    bool rays;     // the scene itself will be asked: query_beyond
 } QuerySettings;
 // `airlight`: as for common/airlight.h, whose method does not matter.
 Query query_open(const QuerySettings *settings, const AirlightSettings *airlight, const VsvSettings *volume,
@@ -34,6 +35,8 @@ const Airlight *query_shader(const Query *query, const Vsv *vsv, const Light *li
 // Add the light's airlight, W/(sr·m²); or the share of each ray's voxels that are set.
 void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
 void query_counts(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
+// Add what of the light's airlight lies beyond the φ that the grid covers, where nothing can cast shadow; only where the settings said `rays`.
+void query_beyond(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
 // Add what the light gives to surfaces that lie in lit voxels.
 void query_surface(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
 

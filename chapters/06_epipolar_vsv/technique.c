@@ -50,7 +50,7 @@ Technique technique_open(const Run *run, const RasterView *view)
                              .slice = atoi(run_choice(run, "slice")),
                              .filtered = run_chosen(run, "filter", "epipolar"),
                              .textured = run_chosen(run, "texture", "window")}};
-    t.by_rays = run_chosen(run, "method", "rays");
+    t.by_rays = t.asked.rays = run_chosen(run, "method", "rays");
     t.samples = run_integer(run, "samples");
     t.brute = !t.by_rays && !t.geometric && !run_chosen(run, "method", "map");
     t.rays = t.by_rays ? rays_open(&view->scene->mesh) : NULL;
@@ -189,6 +189,8 @@ static void draw_rays(Run *run, const Technique *technique, size_t light, const 
     const RaysCount count =
         baseline_airlight(technique->rays, vsv, asked, &technique->airlight, technique->samples, picture);
     run_count(run, "rays", count.rays);
+    if (!vsv->whole)
+        query_beyond(&technique->query, vsv, asked, picture);
     if (run_measuring_error(run))
         return;
     enum { STRIDE = 16 };
