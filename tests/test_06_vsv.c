@@ -116,6 +116,11 @@ Test(vsv, a_directional_lights_runs_come_to_what_the_map_says)
     check_converges("stage_sun", "runs", 2e-2);
 }
 
+Test(vsv, a_sum_over_bits_ends_where_the_grid_does)
+{
+    check_converges("colonnade", "riemann", 3e-2); // whose sky goes on without end
+}
+
 static void check_same(Bench *bench, const Image *expected, double nrmse, const char *what)
 {
     const ImageError error = bench_error(bench, expected);

@@ -10,10 +10,12 @@
 #define FACTORED 2
 
 //[border
-// φ of a border between voxels, and how far along the ray it lies; the outermost borders are the ends of the ray's stretch.
+// φ of a border between voxels, and how far along the ray it lies; the outermost borders are the ends of the ray's stretch. The grid ends where all light rays
+// miss the scene, but the stretch may go on, for a directional light without end: a run takes it along, a sum of samples must not.
 float border_phi(Query query, int place)
 {
-    return place <= query.first ? query.from : place >= query.last ? query.to : clamp(epipolar_phi_at(float(place)), query.from, query.to);
+    float end = max(min(query.to, epipolar_phi_at(float(epipolar_count.z))), query.from);
+    return place <= query.first ? query.from : place >= query.last ? end : clamp(epipolar_phi_at(float(place)), query.from, end);
 }
 
 float border_along(Ray ray, Query query, int place)
@@ -91,8 +93,13 @@ vec3 integral_of(Ray ray, Query query, Row row, inout uint fetches)
                 sum += float(lit) / float(to - from) * width * sample_phi(ray, query, middle) * light_texture(query.theta, middle);
         }
     }
-    // what is lit throughout needs no sum
-    return row.lit && TEXTURE == 0 ? stretch(ray, ray.from, ray.to) : sum;
+#if TEXTURE == 0
+    // what is lit throughout needs no sum: the whole stretch, or what of it lies beyond the grid
+    float beyond = max(query.from, epipolar_phi_at(float(epipolar_count.z)));
+    if (row.lit || query.to > beyond)
+        sum += stretch(ray, row.lit ? ray.from : clamp(epipolar_along(query.alpha, beyond), ray.from, ray.to), ray.to);
+#endif
+    return sum;
 }
 //]
 #endif
