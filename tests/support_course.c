@@ -1,8 +1,12 @@
 // support_course: see support_course.h.
 #include "support_course.h"
 #include "base.h"
+#include "grade/compare.h"
+#include "grade/inputs.h"
+#include "grade/recorded.h"
 
 #include <criterion/criterion.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -98,4 +102,45 @@ bool course_has(const char *text, const char *const *words)
         if (!strstr(text, *words))
             return false;
     return true;
+}
+
+// --- the worst error of a recorded output, over its tolerance
+static double worst(const Entry *entry, const Check *check, const char *mutant, CourseDefinition definition)
+{
+    float *got = recorded_read("tests/data", entry, check, mutant);
+    Input input = input_make(entry, check, 0);
+    size_t channels = (size_t)check->shape.channels, items = check_values(check) / channels;
+    double ratio = 0;
+    for (size_t i = 0; i < items; i++) {
+        double wanted[4] = {0};
+        definition(input.values + input.head + input.stride * i, got + channels * i, wanted);
+        for (size_t c = 0; c < channels; c++) {
+            double error =
+                fabs((double)got[channels * i + c] - wanted[c]) / tolerance_at(check->tolerance, wanted[c]);
+            ratio = isfinite(error) ? fmax(ratio, error) : INFINITY;
+        }
+    }
+    input_free(&input);
+    free(got);
+    return ratio;
+}
+
+void course_judge(const char *id, CourseDefinition definition)
+{
+    Manifest manifest = manifest_open("exercises/manifest.json", "tests/grade/manifest.schema.json");
+    const Entry *entry = manifest_find(&manifest, id);
+    cr_assert(entry, "%s: no such exercise", id);
+    // a tenth of what a student is allowed: what is recorded is to be no part of what a student is told
+    for (const Check *check = entry->checks; check < entry->checks + entry->check_count; check++) {
+        double right = worst(entry, check, NULL, definition);
+        cr_expect(right < 0.1, "%s %s: the recorded output is off by %g of the tolerance", id, check->name,
+                  right);
+    }
+    for (int i = 0; i < entry->misconception_count; i++) {
+        const Misconception *mistake = &entry->misconceptions[i];
+        double wrong = worst(entry, mistake->seen_in, mistake->mutant, definition);
+        cr_expect(wrong > 1, "%s %s: %s is off by %g of the tolerance alone", id, mistake->seen_in->name,
+                  mistake->mutant, wrong);
+    }
+    manifest_close(&manifest);
 }

@@ -22,4 +22,9 @@ void course_write_at(const char *path, const char *text); // any file; its folde
 // Every word list ends with NULL: all must stand in the text, none of them.
 bool course_has(const char *text, const char *const *words);
 
+// What one item of the output should be by an exercise's own words: up to four channels. `got` is what is recorded.
+typedef void (*CourseDefinition)(const float *in, const float *got, double *wanted);
+// Exercise `id`: what is recorded as right is what is defined, to a tenth of the tolerance; what is recorded of each known mistake is not.
+void course_judge(const char *id, CourseDefinition definition);
+
 #endif

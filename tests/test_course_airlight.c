@@ -2,9 +2,7 @@
 // and what is recorded of each known mistake is not.
 #include <criterion/criterion.h>
 
-#include "grade/compare.h"
-#include "grade/inputs.h"
-#include "grade/recorded.h"
+#include "support_course.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -29,9 +27,7 @@ static double integral(Integrand f, const double *given, double from, double to,
     return sum;
 }
 
-// --- what one item should be. `wanted` is as long as the item's output.
-typedef void (*Definition)(const float *in, const float *got, double *wanted);
-
+// --- what one item should be
 // 04.1: the angle goes evenly. h, foot, radius, from, to, x
 static double place(const float *in, double x)
 {
@@ -124,63 +120,22 @@ static void lit(const float *in, const float *got, double *wanted)
     }
 }
 
-// --- the worst error of a recorded output, over its tolerance
-static double worst(const Entry *entry, const Check *check, const char *mutant, Definition definition)
-{
-    float *got = recorded_read("tests/data", entry, check, mutant);
-    Input input = input_make(entry, check, 0);
-    size_t channels = (size_t)check->shape.channels, items = check_values(check) / channels;
-    double ratio = 0;
-    for (size_t i = 0; i < items; i++) {
-        double wanted[2] = {0, 0};
-        definition(input.values + input.head + input.stride * i, got + channels * i, wanted);
-        for (size_t c = 0; c < channels; c++) {
-            double error =
-                fabs((double)got[channels * i + c] - wanted[c]) / tolerance_at(check->tolerance, wanted[c]);
-            ratio = isfinite(error) ? fmax(ratio, error) : INFINITY;
-        }
-    }
-    input_free(&input);
-    free(got);
-    return ratio;
-}
-
-static void judge(const char *id, Definition definition)
-{
-    Manifest manifest = manifest_open("exercises/manifest.json", "tests/grade/manifest.schema.json");
-    const Entry *entry = manifest_find(&manifest, id);
-    cr_assert(entry, "%s: no such exercise", id);
-    // a tenth of what a student is allowed: what is recorded is to be no part of what a student is told
-    for (const Check *check = entry->checks; check < entry->checks + entry->check_count; check++) {
-        double right = worst(entry, check, NULL, definition);
-        cr_expect(right < 0.1, "%s %s: the recorded output is off by %g of the tolerance", id, check->name,
-                  right);
-    }
-    for (int i = 0; i < entry->misconception_count; i++) {
-        const Misconception *mistake = &entry->misconceptions[i];
-        double wrong = worst(entry, mistake->seen_in, mistake->mutant, definition);
-        cr_expect(wrong > 1, "%s %s: %s is off by %g of the tolerance alone", id, mistake->seen_in->name,
-                  mistake->mutant, wrong);
-    }
-    manifest_close(&manifest);
-}
-
 Test(course_airlight, equal_angles_are_equal)
 {
-    judge("04.1", equal_angles);
+    course_judge("04.1", equal_angles);
 }
 
 Test(course_airlight, a_fading_stretch_is_its_integral)
 {
-    judge("04.2", fading);
+    course_judge("04.2", fading);
 }
 
 Test(course_airlight, an_angle_holds_its_share_of_the_light)
 {
-    judge("04.3", turned);
+    course_judge("04.3", turned);
 }
 
 Test(course_airlight, lit_stretches_are_what_no_shadow_covers)
 {
-    judge("04.4", lit);
+    course_judge("04.4", lit);
 }

@@ -6,8 +6,8 @@
 
 static const Generator *find(const char *name)
 {
-    static const Generator *const chapters[] = {inputs_01, inputs_01_winding, inputs_02, inputs_04,
-                                                inputs_06};
+    static const Generator *const chapters[] = {inputs_01, inputs_01_winding, inputs_02,
+                                                inputs_04, inputs_06,         inputs_06_ball};
     for (size_t i = 0; i < sizeof chapters / sizeof chapters[0]; i++)
         for (const Generator *generator = chapters[i]; generator->name; generator++)
             if (!strcmp(generator->name, name))

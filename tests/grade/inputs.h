@@ -17,7 +17,8 @@ typedef struct Generator {
     void (*make)(Input *input, const Shape *shape, uint64_t *random);
 } Generator;
 // By chapter, each ends with a NULL name.
-extern const Generator inputs_01[], inputs_01_winding[], inputs_02[], inputs_04[], inputs_06[];
+extern const Generator inputs_01[], inputs_01_winding[], inputs_02[], inputs_04[], inputs_06[],
+    inputs_06_ball[];
 
 bool input_known(const char *generator);
 // Of one check; a check whose input is NULL has an empty one. Checks of one seed draw from streams of their own: adding a check changes no other.
