@@ -92,9 +92,8 @@ Test(prefix, an_empty_volume_of_three_channels_and_a_peaked_phase)
     check_unshadowed("henyey_greenstein", 0.7f, false, 5e-3);
 }
 
-// The nearest row's sums are the runs of the same bits, weighted at the row's α in place of the pixel's: finer in α they come together, at first order (half the
-// distance for half the voxel); bits are the same, so no error of visibility is in it.
-// Relative errors: nrmse is 0.021 on the stage, ruled by pixels beside the light, whose cause is not known; 0.015 is what was measured there, 0.009, with room.
+// The nearest row's sums are the runs of the same bits, weighted at the row's α in place of the pixel's and by the byte; bits are the same, so no error of visibility
+// is in it. With 128 φ a byte is 0.2 rad wide, which leaves 7e-3 beside the light of the stage; one weight for the word in which a ray ends would leave 2e-2.
 static void check_same_as_runs(const char *scene, double tolerance)
 {
     Bench bench = bench_open(scene);
@@ -105,21 +104,21 @@ static void check_same_as_runs(const char *scene, double tolerance)
     Image runs = render_picture(bench.raster, bench.scene, &bench.scene->camera, SIDE, SIDE, &bench.settings);
     bench.settings.asked.integral = "prefix";
     const ImageError error = bench_error(&bench, &runs);
-    cr_assert(error.rel_rmse < tolerance, "%s: %g nrmse %g", scene, error.rel_rmse, error.nrmse);
+    cr_assert(error.nrmse < tolerance, "%s: %g", scene, error.nrmse);
     image_free(&runs);
     bench_close(&bench);
 }
 Test(prefix, a_point_lights_nearest_row_is_the_runs_of_the_same_bits)
 {
-    check_same_as_runs("stage", 1.5e-2);
+    check_same_as_runs("stage", 1e-2);
 }
 Test(prefix, a_directional_lights_nearest_row_is_the_runs_of_the_same_bits)
 {
-    check_same_as_runs("stage_sun", 5e-3);
+    check_same_as_runs("stage_sun", 1.5e-3);
 }
 Test(prefix, a_spot_lights_nearest_row_is_the_runs_of_the_same_bits)
 {
-    check_same_as_runs("fence", 1e-2);
+    check_same_as_runs("fence", 1.5e-3);
 }
 
 // Between four rows the sum is nearer to what the map says than the nearest row is: the steps from row to row are gone. Coarse, so that they are the error.

@@ -265,7 +265,8 @@ static void driver_begin(bool with_page)
     cr_assert_eq(shell(with_page ? "ln -s $B/report $T/build/report" : "ln -s /bin/true $T/build/report"), 0,
                  "what writes the page");
     file_put("chapters/99_fake/report.txt",
-             "metric\tnot_measured\n"); // no diagram: gnuplot would take most of the time
+             "metric\tnot_measured\n" // no diagram: gnuplot would take most of the time
+             "full\t--scene lit --set wide=1\n");
     file_put("build/99_fake", fake);
     cr_assert_eq(shell("chmod +x $T/build/99_fake"), 0, "a program");
 }
@@ -312,6 +313,8 @@ Test(report, killed_run_goes_on_where_it_stopped)
     cr_assert_eq(count_of(text_of("runs"), "--sweep lit 1\n"), 2, "another program: its rows are run anew");
     cr_assert_eq(shell("QUICK=1 " DRIVER), 0, "%s", text_of("log"));
     cr_assert_eq(count_of(text_of("out/99_fake/sweep.csv"), ",dark,"), 0, "QUICK: the first scene alone");
+    cr_assert_eq(shell("FULL=1 " DRIVER), 0, "%s", text_of("log"));
+    cr_assert_eq(count_of(text_of("out/99_fake/plan.csv"), "rays=2"), 6, "FULL: one plan more, twice");
 }
 
 Test(report, failed_rows_are_told_and_tried_again)

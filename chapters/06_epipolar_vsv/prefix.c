@@ -48,7 +48,6 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
     prefix.sums = gl_buffer(.label = "prefix sums",
                             .bytes = channels * rows * (size_t)volume->phi / 32 * sizeof(float));
     prefix.weight_texels = texels_of(prefix.weights, GL_RGBA32F, "weights of phi");
-    prefix.single_weights = texels_of(prefix.weights, format, "weights of phi, one by one");
     prefix.sum_texels = texels_of(prefix.sums, format, "prefix sums");
     return prefix;
 }
@@ -62,7 +61,6 @@ void prefix_close(Prefix *prefix)
         shader_close(prefix->sum[i]);
     }
     gl_texture_delete(&prefix->weight_texels);
-    gl_texture_delete(&prefix->single_weights);
     gl_texture_delete(&prefix->sum_texels);
     gl_buffer_delete(&prefix->weights);
     gl_buffer_delete(&prefix->sums);
@@ -96,7 +94,7 @@ void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
 {
     const Shader *shader = prefix->sum[view->map->kind];
     vsv_bind(vsv, shader);
-    gl.BindImageTexture(0, prefix->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+    gl.BindImageTexture(7, prefix->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, prefix->sums);
     dispatch(shader, prefix->theta, prefix->alpha);
 }
@@ -119,5 +117,5 @@ void prefix_bind(const Prefix *prefix, const Vsv *vsv)
     const GLenum format = prefix->ask[0].settings.grey ? GL_R32F : GL_RGBA32F;
     gl.BindImageTexture(5, vsv->single, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
     gl.BindImageTexture(6, prefix->sum_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
-    gl.BindImageTexture(7, prefix->single_weights, 0, GL_FALSE, 0, GL_READ_ONLY, format);
+    gl.BindImageTexture(7, prefix->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
 }

@@ -94,10 +94,11 @@ vec3 integral_of(Ray ray, Query query, Row row, inout uint fetches)
         }
     }
 #if TEXTURE == 0
-    // what is lit throughout needs no sum: the whole stretch, or what of it lies beyond the grid
-    float beyond = max(query.from, epipolar_phi_at(float(epipolar_count.z)));
-    if (row.lit || query.to > beyond)
-        sum += stretch(ray, row.lit ? ray.from : clamp(epipolar_along(query.alpha, beyond), ray.from, ray.to), ray.to);
+    // What is lit throughout needs no sum. Else the sum ends with the grid, beyond which all is lit.
+    float last = max(query.from, epipolar_phi_at(float(epipolar_count.z)));
+    bool beyond = query.to > last;
+    if (row.lit || beyond)
+        sum = row.lit ? stretch(ray, ray.from, ray.to) : sum + stretch(ray, clamp(epipolar_along(query.alpha, last), ray.from, ray.to), ray.to);
 #endif
     return sum;
 }

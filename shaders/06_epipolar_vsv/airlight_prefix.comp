@@ -3,14 +3,13 @@
 #include "common/airlight_ray.glsl"
 #include "06_epipolar_vsv/query.glsl"
 #include "06_epipolar_vsv/stretch.glsl"
-#include "06_epipolar_vsv/weight.glsl"
+layout(binding = 7, rgba32f) readonly uniform imageBuffer weights;
+#include "06_epipolar_vsv/bytes.glsl"
 layout(binding = 5, r32ui) readonly uniform uimageBuffer words;
 #if GREY
 layout(binding = 6, r32f) readonly uniform imageBuffer prefixes;
-layout(binding = 7, r32f) readonly uniform imageBuffer weights; // a byte of φ
 #else
 layout(binding = 6, rgba32f) readonly uniform imageBuffer prefixes;
-layout(binding = 7, rgba32f) readonly uniform imageBuffer weights;
 #endif
 
 // ANY_RAY 0: every ray begins at the eye, ends in the grid and passes outside the light's radius. This renderer computes both sides of an if.
@@ -62,17 +61,18 @@ Weight reached(Corners corners, float phi)
     float place = clamp(epipolar_phi_place(phi), 0.0, float(epipolar_count.z));
     int word = min(int(place) >> 5, epipolar_row_words() - 1);
     float start = float(32 * word), into = place - start; // 0 … 32 bits of the last word
-    int whole = min(int(into), 31), byte = 4 * word + (whole >> 4); // the byte in the middle of them
-    float part = into - float(whole);                               // of bit number `whole`
+    int whole = min(int(into), 31);
+    float part = into - float(whole); // of bit number `whole`
     // A voxel stands for its middle: where that lies beyond the end, perhaps inside what ends the ray, the one before speaks for the part.
     int speaks = part < 0.5 ? max(whole - 1, 0) : whole;
     uint before = (1u << whole) - 1u;
     Weight sum = Weight(0.0);
     for (int k = 0; k < CORNERS; k++) {
         uint bits = ~imageLoad(words, corners.row[k] + word).x;
-        float lit = float(bitCount(bits & before)) + part * float((bits >> speaks) & 1u);
-        sum += corners.share[k] * (weight_load(imageLoad(prefixes, corners.row[k] + word)) +
-                                   0.125 * lit * weight_load(imageLoad(weights, corners.alpha[k] * (epipolar_count.z / 8) + byte)));
+        // Byte by byte: behind a lamp the way by which light is dimmed grows fast with φ, and so weights differ within a word.
+        vec4 lit = byte_counts(bits & before);
+        lit[whole >> 3] += part * float((bits >> speaks) & 1u);
+        sum += corners.share[k] * (weight_load(imageLoad(prefixes, corners.row[k] + word)) + weighted(lit, corners.alpha[k] * epipolar_row_words() + word));
     }
     return sum;
 }

@@ -11,6 +11,7 @@
 #   same    KEY                                   a setting that poses another problem: techniques are compared at equal values of it only
 #   order   TECHNIQUE METRIC EXPECTED [SCENE [REFERENCE]]   the order that theory expects; SCENE -: any
 #   plan    OPTIONS                               a plan beside that of each default scene
+#   full    OPTIONS                               the same under FULL=1 alone
 #   limit   NAME OPTIONS                          a technique at its limit: all pairs of these pictures are compared (no comma in NAME), and with those of
 #                                                 the family's other chapters
 set -u -f
@@ -31,12 +32,12 @@ trap 'echo "report: interrupted; make report goes on where it stopped" >&2; exit
 # jobs: KIND<TAB>FILE<TAB>LABEL<TAB>OPTIONS, in the order of running: the first scene's sweep, the short tables, the other scenes' sweep.
 jobs()
 {
-    awk -F '\t' -v quick="${QUICK:-}" '
+    awk -F '\t' -v quick="${QUICK:-}" -v full="${FULL:-}" '
         function name_of(text) { gsub(/[^A-Za-z0-9_]/, "-", text); return text }
         $1 == "default" && !(quick && scenes) { scene[++scenes] = $2 }
         FILENAME == ARGV[1] && $1 == "sweep" { row[++rows] = $2; technique[rows] = $3; own[rows] = $4; set[rows] = $5 }
         FILENAME == ARGV[1] && $1 == "stability" { case_row[++cases] = $2; case_name[cases] = $3 }
-        FILENAME != ARGV[1] && $1 == "plan" { plan[++plans] = $2 }
+        FILENAME != ARGV[1] && ($1 == "plan" || ($1 == "full" && full)) { plan[++plans] = $2 }
         FILENAME != ARGV[1] && $1 == "limit" { limit[++limits] = $2; limit_set[limits] = $3 }
         function sweep(s, r) {
             for (r = 1; r <= rows; r++)
