@@ -91,7 +91,8 @@ static double least(const Scene *scene, Angle angle)
     for (double step = PI / ROWS; step > 1e-10;) {
         bool better = false;
         for (int i = 0; i < 9; i++) {
-            const double latitude = u + (i / 3 - 1) * step, longitude = v + (i % 3 - 1) * step;
+            const int row = i / 3 - 1, column = i % 3 - 1;
+            const double latitude = u + row * step, longitude = v + column * step;
             const double value = at(scene, angle, latitude, longitude);
             if (value < best)
                 best = value, u = latitude, v = longitude, better = true;
