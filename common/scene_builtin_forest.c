@@ -95,8 +95,9 @@ static void ground(Mesh *mesh, uint32_t earth)
     static const float HALF = 7, FAR = 14;
     const uint32_t first = (uint32_t)mesh->vertex_count;
     for (int i = 0; i < (CELLS + 1) * (CELLS + 1); i++) {
-        const float x = 2 * HALF * (float)(i % (CELLS + 1)) / CELLS - HALF;
-        const float z = FAR * (float)(i / (CELLS + 1)) / CELLS - FAR + 5, step = 0.01f;
+        const int column = i % (CELLS + 1), row = i / (CELLS + 1);
+        const float x = 2 * HALF * (float)column / CELLS - HALF;
+        const float z = FAR * (float)row / CELLS - FAR + 5, step = 0.01f;
         const vec3 normal =
             vec3_normalize(vec3_make(ground_at(x - step, z) - ground_at(x + step, z), 2 * step,
                                      ground_at(x, z - step) - ground_at(x, z + step)));
@@ -120,8 +121,9 @@ void make_forest(Scene *scene, uint64_t seed)
     woods.leaf[2] = scene_add_material(scene, "dry leaf", vec3_make(0.48f, 0.30f, 0.10f), black);
     // In rows, each moved a little, so that no two stand in one another and the lamp's glade stays free.
     for (int i = 0; i < TREES; i++) {
-        const float x = -4.8f + 2.4f * (float)(i % 5) + random_between(&woods.random, -0.7f, 0.7f);
-        const float z = -7.2f + 2.6f * (float)(i / 5) + random_between(&woods.random, -0.6f, 0.6f);
+        const int column = i % 5, row = i / 5;
+        const float x = -4.8f + 2.4f * (float)column + random_between(&woods.random, -0.7f, 0.7f);
+        const float z = -7.2f + 2.6f * (float)row + random_between(&woods.random, -0.6f, 0.6f);
         const vec3 foot = vec3_make(x + (fabsf(x) < 0.7f ? 1.1f : 0), ground_at(x, z) - 0.05f, z);
         const float height = random_between(&woods.random, 1.3f, 1.8f);
         const vec3 lean = vec3_normalize(vec3_make(0, 1, 0) + 0.08f * random_direction(&woods.random));

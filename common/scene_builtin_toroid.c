@@ -143,10 +143,11 @@ void make_toroid(Scene *scene, uint64_t seed)
                .vertex = memory_new(STEPS * points, sizeof(uint32_t), "the toroid's vertices"),
                .mesh = &scene->mesh,
                .material = scene_add_material(scene, "bronze", vec3_make(0.62f, 0.45f, 0.28f), black)};
-    for (int i = 0; i < (int)points; i++)
-        s.value[i] = shell(2 * PI * (float)(i / (CORNERS * CORNERS)) / AROUND,
-                           2 * MARGIN * (float)(i / CORNERS % CORNERS) / ACROSS - MARGIN,
-                           2 * MARGIN * (float)(i % CORNERS) / ACROSS - MARGIN);
+    for (int i = 0; i < (int)points; i++) {
+        const int turn = i / (CORNERS * CORNERS), row = i / CORNERS % CORNERS, column = i % CORNERS;
+        s.value[i] = shell(2 * PI * (float)turn / AROUND, 2 * MARGIN * (float)row / ACROSS - MARGIN,
+                           2 * MARGIN * (float)column / ACROSS - MARGIN);
+    }
     march(&s);
     smooth(&scene->mesh);
     free(s.value);

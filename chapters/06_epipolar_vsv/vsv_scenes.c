@@ -38,8 +38,9 @@ static void make_crowd(Scene *scene, uint64_t seed)
         cloth[i] = scene_add_material(scene, "cloth", vec3_make(colours[i][0], colours[i][1], colours[i][2]),
                                       grey(0));
     for (int i = 0; i < SIDE * SIDE; i++) {
-        const float x = APART * ((float)(i % SIDE) - 0.5f * SIDE + random_between(&random, 0.2f, 0.8f));
-        const float z = APART * ((float)(i / SIDE) - 0.5f * SIDE + random_between(&random, 0.2f, 0.8f));
+        const int column = i % SIDE, row = i / SIDE;
+        const float x = APART * ((float)column - 0.5f * SIDE + random_between(&random, 0.2f, 0.8f));
+        const float z = APART * ((float)row - 0.5f * SIDE + random_between(&random, 0.2f, 0.8f));
         const float size = random_between(&random, 0.85f, 1.1f), width = random_between(&random, 0.9f, 1.15f);
         vec2 body[POINTS];
         for (int p = 0; p < POINTS; p++)
