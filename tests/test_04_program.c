@@ -1,96 +1,21 @@
 // 04 airlight: the program as a user runs it: what is left out and that it changes nothing, what is built again, the stability table.
-#include "base.h"
-#include "image.h"
-#include "plan_lines.h"
+#define PROGRAM "04_airlight --size 24x24 --set map=64 --set steps=16"
+#include "program_plan.h"
 
-#include <criterion/criterion.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-
-typedef struct Outcome {
-    int status;
-    char *text; // what it said: the plan
-    Image picture;
-} Outcome;
-
-static Outcome program(const char *arguments)
-{
-    const char *build = getenv("BUILD");
-    char *out = text_format("/tmp/airlight-%d", (int)getpid());
-    char *command =
-        text_format("%s/04_airlight --size 24x24 --set map=64 --set steps=16 --out %s.exr --plan %s >%s 2>&1",
-                    build ? build : "build", out, arguments, out);
-    char *picture = text_format("%s.exr", out);
-    const int status = system(command);
-    Outcome outcome = {.status = status >> 8, .text = file_read(out, NULL)};
-    if (outcome.status == 0)
-        outcome.picture = image_read(picture);
-    unlink(out);
-    unlink(picture);
-    free(out);
-    free(command);
-    free(picture);
-    return outcome;
-}
-static void outcome_free(Outcome *outcome)
-{
-    free(outcome->text);
-    image_free(&outcome->picture);
-}
-
-static double count(const char *plan, const char *pass, const char *what)
-{
-    const char *line = line_of(plan, pass);
-    cr_assert(line, "no pass '%s' in\n%s", pass, plan);
-    const char *end = strchr(line, '\n'), *found = strstr(line, what);
-    return found && (!end || found < end) ? atof(found + strlen(what)) : -1.0;
-}
-
-// Left out: the same picture with --everything, bit for bit. Just beyond the rule: another picture.
-// The plans of both, for more to ask; the caller frees them.
-typedef struct Plans {
-    char *fires, *beyond;
-} Plans;
-static void plans_free(Plans plans)
-{
-    free(plans.fires);
-    free(plans.beyond);
-}
-static Plans check_left_out(const char *fires, const char *beyond, const char *pass)
-{
-    char *all = text_format("%s --everything", fires);
-    Outcome without = program(fires), with = program(all), other = program(beyond);
-    cr_assert(without.status == 0 && with.status == 0 && other.status == 0, "%s\n%s\n%s", without.text,
-              with.text, other.text);
-    if (pass) {
-        cr_assert(!ran(without.text, pass) && ran(with.text, pass) && ran(other.text, pass), "%s: %s", fires,
-                  pass);
-        cr_assert(count(with.text, pass, "compute_invocations=") > 0 ||
-                      count(with.text, pass, "fragments=") > 0,
-                  "%s --everything does no %s", fires, pass);
-    }
-    cr_assert_eq(image_compare(&without.picture, &with.picture).max_abs, 0.0,
-                 "%s: --everything shows another picture", fires);
-    cr_assert(image_compare(&without.picture, &other.picture).max_abs > 0.0, "%s: %s shows the same", fires,
-              beyond);
-    image_free(&without.picture);
-    image_free(&other.picture);
-    outcome_free(&with);
-    free(all);
-    return (Plans){without.text, other.text};
-}
+static const char *const airlight_pass[] = {"airlight", NULL},
+                         *const attenuation_pass[] = {"attenuation", NULL},
+                         *const maps_pass[] = {"depth maps", NULL};
 
 Test(airlight_program, a_medium_that_scatters_nothing)
 {
     plans_free(check_left_out("--scene blocks --set scattering=0,0,0",
-                              "--scene blocks --set scattering=0,0,1e-4", "airlight"));
+                              "--scene blocks --set scattering=0,0,1e-4", airlight_pass));
 }
 Test(airlight_program, a_medium_that_takes_nothing)
 {
     plans_free(check_left_out("--scene blocks --set scattering=0,0,0 --set absorption=0,0,0",
                               "--scene blocks --set scattering=0,0,0 --set absorption=1e-4,0,0",
-                              "attenuation"));
+                              attenuation_pass));
 }
 // A uniform phase function, one exponential for three colours, samples behind the first surface: all at once with --everything.
 Test(airlight_program, what_a_sample_does_not_need)
@@ -114,9 +39,9 @@ Test(airlight_program, rays_beside_the_cone)
 // Away from the block and its shadow there is nothing to look up; where the shadow comes into view there is.
 Test(airlight_program, lookups_where_nothing_can_cast)
 {
-    Plans plans = check_left_out("--scene blocks --set show=airlight --set eye=3,0,0 --set target=4,0,0",
-                                 "--scene blocks --set show=airlight --set eye=-3,0,0 --set target=-4,0,0",
-                                 "depth maps");
+    Plans plans =
+        check_left_out("--scene blocks --set show=airlight --set eye=3,0,0 --set target=4,0,0",
+                       "--scene blocks --set show=airlight --set eye=-3,0,0 --set target=-4,0,0", maps_pass);
     cr_assert_eq(count(plans.fires, "airlight", "lookups="), 0.0, "%s", plans.fires);
     cr_assert_eq(count(plans.beyond, "airlight", "lookups="), 24.0 * 24 * 16, "%s", plans.beyond);
     plans_free(plans);

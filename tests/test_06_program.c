@@ -1,52 +1,7 @@
 // 06 epipolar voxelized shadow volumes: the program as a user runs it: what is left out and that it changes nothing, what is built again, wrong requests.
-#include "base.h"
-#include "image.h"
-#include "plan_lines.h"
+#define PROGRAM "06_epipolar_vsv --size 24x24 --set map=64 --set alpha=64 --set theta=64 --set phi=128"
+#include "program_plan.h"
 
-#include <criterion/criterion.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-
-typedef struct Outcome {
-    int status;
-    char *text; // what it said: the plan
-    Image picture;
-} Outcome;
-
-static Outcome program(const char *arguments)
-{
-    const char *build = getenv("BUILD");
-    char *out = text_format("/tmp/epipolar-%d", (int)getpid());
-    char *command =
-        text_format("%s/06_epipolar_vsv --size 24x24 --set map=64 --set alpha=64 --set theta=64 --set "
-                    "phi=128 --out %s.exr --plan %s >%s 2>&1",
-                    build ? build : "build", out, arguments, out);
-    char *picture = text_format("%s.exr", out);
-    const int status = system(command);
-    Outcome outcome = {.status = status >> 8, .text = file_read(out, NULL)};
-    if (outcome.status == 0)
-        outcome.picture = image_read(picture);
-    unlink(out);
-    unlink(picture);
-    free(out);
-    free(command);
-    free(picture);
-    return outcome;
-}
-static void outcome_free(Outcome *outcome)
-{
-    free(outcome->text);
-    image_free(&outcome->picture);
-}
-
-static double count(const char *plan, const char *pass, const char *what)
-{
-    const char *line = line_of(plan, pass);
-    cr_assert(line, "no pass '%s' in\n%s", pass, plan);
-    const char *end = strchr(line, '\n'), *found = strstr(line, what);
-    return found && (!end || found < end) ? atof(found + strlen(what)) : -1.0;
-}
 // "12 of 34 left out"
 static double left_out(const char *plan, const char *pass)
 {
@@ -55,40 +10,6 @@ static double left_out(const char *plan, const char *pass)
     cr_assert(line && sscanf(line + strlen(pass), " yes %lf %lf of", &ms, &skipped) == 2,
               "%s: nothing left out in\n%s", pass, plan);
     return skipped;
-}
-
-typedef struct Plans {
-    char *fires, *all, *beyond;
-} Plans;
-static void plans_free(Plans plans)
-{
-    free(plans.fires);
-    free(plans.all);
-    free(plans.beyond);
-}
-// Left out: the same picture with --everything, bit for bit. Just beyond the rule: another picture.
-static Plans check_left_out(const char *fires, const char *beyond, const char *const *passes)
-{
-    char *all = text_format("%s --everything", fires);
-    Outcome without = program(fires), with = program(all), other = program(beyond);
-    cr_assert(without.status == 0 && with.status == 0 && other.status == 0, "%s\n%s\n%s", without.text,
-              with.text, other.text);
-    for (; passes && *passes; passes++) {
-        cr_assert(!ran(without.text, *passes) && ran(with.text, *passes) && ran(other.text, *passes),
-                  "%s: %s", fires, *passes);
-        if (strcmp(*passes, "clear") != 0) // clears a buffer: no invocation
-            cr_assert(count(with.text, *passes, "compute_invocations=") > 0, "%s --everything does no %s",
-                      fires, *passes);
-    }
-    cr_assert_eq(image_compare(&without.picture, &with.picture).max_abs, 0.0,
-                 "%s: --everything shows another picture", fires);
-    cr_assert(image_compare(&without.picture, &other.picture).max_abs > 0.0, "%s: %s shows the same", fires,
-              beyond);
-    image_free(&without.picture);
-    image_free(&with.picture);
-    image_free(&other.picture);
-    free(all);
-    return (Plans){without.text, with.text, other.text};
 }
 
 static const char *const volume_passes[] = {"range", "clear", "voxels", "scan", NULL};

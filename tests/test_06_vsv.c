@@ -1,75 +1,14 @@
 // 06 epipolar voxelized shadow volumes: airlight from bits against what the same map says without sampling.
-#include "../chapters/06_epipolar_vsv/render.h"
-#include "../chapters/06_epipolar_vsv/vsv_scenes.h"
+#include "vsv_bench.h"
 
-#include <criterion/criterion.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum { SIDE = 24 };
-
-typedef struct Bench {
-    Raster *raster;
-    Scene *scene;
-    RenderSettings settings;
-} Bench;
-static Bench bench_open(const char *name)
-{
-    gl_open(GL_PLATFORM_OSMESA, 16, 16, "test");
-    const SceneKind *kind = vsv_scenes;
-    while (kind->name && strcmp(kind->name, name) != 0)
-        kind++;
-    Bench bench = {.raster = raster_open(), .scene = kind->name ? scene_from(kind, 1) : scene_open(name, 1)};
-    bench.settings = (RenderSettings){.airlight = {.method = "march",
-                                                   .variant = "intervals",
-                                                   .phase = "uniform",
-                                                   .steps = 64,
-                                                   .nodes = 16,
-                                                   .shadowed = true,
-                                                   .grey = true},
-                                      .volume = {.alpha = 128,
-                                                 .theta = 256,
-                                                 .phi = 256,
-                                                 .scan = "columns",
-                                                 .warp = "even",
-                                                 .slices = "uniform",
-                                                 .shape = "cube"},
-                                      .asked = {.integral = "runs", .slice = 8},
-                                      .map = 256};
-    return bench;
-}
-static Image bench_draw(const Bench *bench)
-{
-    return render_picture(bench->raster, bench->scene, &bench->scene->camera, SIDE, SIDE, &bench->settings);
-}
-static Image bench_segments(const Bench *bench, bool shadowed) // what the same map says, without sampling
-{
-    AirlightSettings exact = bench->settings.airlight;
-    exact.method = "segments";
-    exact.nodes = 24;
-    exact.shadowed = shadowed;
-    return airlight_picture(bench->raster, bench->scene, &bench->scene->camera, SIDE, SIDE,
-                            bench->settings.map, &exact);
-}
-static void bench_close(Bench *bench)
-{
-    scene_close(bench->scene);
-    raster_close(bench->raster);
-    gl_close();
-}
-static ImageError bench_error(const Bench *bench, const Image *expected)
-{
-    Image got = bench_draw(bench);
-    const ImageError error = image_compare(&got, expected);
-    image_free(&got);
-    cr_assert_eq(error.nonfinite, 0);
-    return error;
-}
+enum { SIDE = BENCH_SIDE };
 
 // Nothing casts: a ray is one run, one closed form, whatever the integral.
 Test(vsv, an_empty_volume_is_a_closed_form)
 {
-    Bench bench = bench_open("mist");
+    Bench bench = bench_open("mist", 256);
     Image open = bench_segments(&bench, false);
     const char *const integrals[] = {"runs", "riemann", "factored"};
     for (int i = 0; i < 3; i++) {
@@ -83,7 +22,7 @@ Test(vsv, an_empty_volume_is_a_closed_form)
 // Against what the map says: 256 steps of φ and 128 of α; finer grids come closer, at least by half for twice the voxels along each axis twice.
 static void check_converges(const char *scene, const char *integral, double tolerance)
 {
-    Bench bench = bench_open(scene);
+    Bench bench = bench_open(scene, 256);
     Image exact = bench_segments(&bench, true);
     bench.settings.asked.integral = integral;
     const double coarse_phi[2] = {128, 512};
@@ -129,7 +68,7 @@ static void check_same(Bench *bench, const Image *expected, double nrmse, const 
 // The same picture to within the grid's own error, by other ways; by both scans to the last bit.
 Test(vsv, every_way_shows_the_same)
 {
-    Bench bench = bench_open("stage");
+    Bench bench = bench_open("stage", 256);
     Image exact = bench_segments(&bench, true), first = bench_draw(&bench);
     const double error = image_compare(&first, &exact).nrmse;
     bench.settings.volume.scan = "logstep";
@@ -155,7 +94,7 @@ Test(vsv, every_way_shows_the_same)
 // Rows that a pixel is between say together more than the nearest: steps from slice to slice are softened.
 Test(vsv, a_filtered_pixel_is_nearer_to_what_the_map_says)
 {
-    Bench bench = bench_open("stage");
+    Bench bench = bench_open("stage", 256);
     bench.settings.volume.theta = bench.settings.volume.alpha = 32;
     Image exact = bench_segments(&bench, true);
     const double nearest = bench_error(&bench, &exact).nrmse;
@@ -169,7 +108,7 @@ Test(vsv, a_filtered_pixel_is_nearer_to_what_the_map_says)
 // Where a ray ends at a surface, its last voxel is one whose middle is before it: airlight is neither lost nor won there.
 Test(vsv, no_light_is_lost_at_surfaces)
 {
-    Bench bench = bench_open("stage");
+    Bench bench = bench_open("stage", 256);
     bench.settings.volume.phi = 128;
     bench.settings.volume.alpha = 512;
     bench.settings.volume.theta = 512;
@@ -182,7 +121,7 @@ Test(vsv, no_light_is_lost_at_surfaces)
 
 Test(vsv, airlight_is_linear_in_the_light)
 {
-    Bench bench = bench_open("stage");
+    Bench bench = bench_open("stage", 256);
     Image once = bench_draw(&bench);
     bench.scene->lights[0].intensity *= 2.0f;
     Image twice = bench_draw(&bench);
@@ -207,7 +146,7 @@ Test(vsv, a_sum_has_as_many_terms_as_steps)
         corrected += i < 16 ? 1.0 / 16.0 : 0.0;
     }
     cr_assert(printed > 1.06 && fabs(corrected - 1.0) < 1e-12);
-    Bench bench = bench_open("stage");
+    Bench bench = bench_open("stage", 256);
     bench.settings.volume.phi = 128;
     Image runs = bench_draw(&bench);
     bench.settings.asked.integral = "riemann";
@@ -222,7 +161,7 @@ Test(vsv, phase_functions)
 {
     static const char *const phases[] = {"henyey_greenstein", "hoffman_preetham"};
     static const char *const integrals[] = {"runs", "riemann", "factored"};
-    Bench bench = bench_open("stage");
+    Bench bench = bench_open("stage", 256);
     bench.scene->medium.mean_cosine = 0.5f;
     bench.settings.airlight.rayleigh_share = 0.3f;
     for (int p = 0; p < 2; p++) {
@@ -240,7 +179,7 @@ Test(vsv, phase_functions)
 // A window colours light rays: sums over bits against as many lookups in the map and the window.
 Test(vsv, a_textured_light)
 {
-    Bench bench = bench_open("stage");
+    Bench bench = bench_open("stage", 256);
     Image plain = bench_draw(&bench);
     bench.settings.asked.textured = true;
     bench.settings.asked.integral = "march";
@@ -261,7 +200,7 @@ Test(vsv, a_textured_light)
 // Factored slices of more bits are less exact; of as few as one they would be the sum.
 Test(vsv, larger_slices_are_less_exact)
 {
-    Bench bench = bench_open("mist");
+    Bench bench = bench_open("mist", 256);
     bench.scene->lights[0].position = vec3_make(0.2f, 0.3f, -2);
     mesh_add_quad(&bench.scene->mesh, vec3_make(9, 9, -9), vec3_make(0, 1, 0), vec3_make(0, 0, 1), 0);
     double last = 0;

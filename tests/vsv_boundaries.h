@@ -4,10 +4,12 @@
 
 #include "../chapters/06_epipolar_vsv/rays.h"
 #include "../chapters/06_epipolar_vsv/vsv.h"
+#include "../chapters/06_epipolar_vsv/vsv_scenes.h"
 #include "raster.h"
 
 #include <criterion/criterion.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct Boundaries {
     const Scene *scene;
@@ -148,6 +150,27 @@ static inline double boundaries_check(const Boundaries *b, int stride)
     }
     cr_assert(asked > 1000, "%s: only %zu voxels", b->scene->name, asked);
     return (double)differ / (double)asked;
+}
+
+// The share of voxels that differ: some (more than `least`), or nothing was asked; few (less than `most`), since borders are few.
+static inline void boundaries_check_scene(const char *name, int map, int stride, double least, double most)
+{
+    static const VsvSettings settings = {.alpha = 64,
+                                         .theta = 64,
+                                         .phi = 128,
+                                         .scan = "columns",
+                                         .warp = "even",
+                                         .slices = "uniform",
+                                         .shape = "cube"};
+    const SceneKind *kind = vsv_scenes;
+    while (kind->name && strcmp(kind->name, name) != 0)
+        kind++;
+    Scene *scene = kind->name ? scene_from(kind, 1) : scene_open(name, 1);
+    Boundaries b = boundaries_open(scene, &settings, map);
+    const double share = boundaries_check(&b, stride);
+    cr_assert(share > least && share < most, "%s: %g of the voxels differ", name, share);
+    boundaries_close(&b);
+    scene_close(scene);
 }
 
 #endif
