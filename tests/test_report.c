@@ -341,7 +341,8 @@ Test(report, what_does_not_fit_is_left_for_the_next_run)
     cr_assert_eq(shell("REPORT_SECONDS=0 " DRIVER), 0, "%s", text_of("log"));
     cr_assert_eq(count_of(text_of("out/index.html"), "<td>left</td>"), 12, "7 rows, a case and 4 plans");
     file_put("hold", "");
-    cr_assert_eq(shell("REPORT_SECONDS=1 " DRIVER), 1, "%s", text_of("log"));
+    // The driver counts whole seconds: of one, two quick rows may use up all that was left.
+    cr_assert_eq(shell("REPORT_SECONDS=4 " DRIVER), 1, "%s", text_of("log"));
     cr_assert(strstr(text_of("out/index.html"), "<td>brute lit steps=3</td><td>stopped after"), "%s",
               text_of("log"));
     cr_assert_eq(shell("rm $T/hold"), 0, "the row ends");
