@@ -124,6 +124,34 @@ Image airlight_picture(const Raster *raster, const Scene *scene, const Camera *c
     return image;
 }
 
+const Image *airlight_picture_kept(AirlightKept *kept, uint64_t scene_hash, const Raster *raster,
+                                   const Scene *scene, const Camera *camera, int width, int height,
+                                   int map_resolution, const AirlightSettings *settings)
+{
+    const float view[] = {camera->eye[0],          camera->eye[1],       camera->eye[2],
+                          camera->target[0],       camera->target[1],    camera->target[2],
+                          camera->up[0],           camera->up[1],        camera->up[2],
+                          camera->near_distance,   camera->far_distance, camera->vertical_fov_rad,
+                          settings->rayleigh_share};
+    const int sizes[] = {width, height, map_resolution, settings->steps, settings->nodes, settings->number};
+    const uint32_t others[] = {settings->shadowed, settings->exact, settings->grey, settings->seed,
+                               settings->table};
+    const char *texts[] = {settings->method, settings->variant, settings->phase, settings->shader,
+                           settings->definitions};
+    uint64_t inputs = hash_bytes(hash_bytes(scene_hash, view, sizeof view), sizes, sizeof sizes);
+    inputs = hash_bytes(inputs, others, sizeof others);
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        const char *text = texts[i] ? texts[i] : "";
+        inputs = hash_bytes(inputs, text, strlen(text) + 1);
+    }
+    if (!kept->image.pixels || kept->inputs != inputs) {
+        image_free(&kept->image);
+        kept->image = airlight_picture(raster, scene, camera, width, height, map_resolution, settings);
+        kept->inputs = inputs;
+    }
+    return &kept->image;
+}
+
 AirlightHaze airlight_haze_open(void)
 {
     return (AirlightHaze){shader_open("attenuation", NULL, "common/airlight_attenuate.comp"),

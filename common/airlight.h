@@ -54,6 +54,15 @@ void airlight_counts(const Airlight *airlight, uint32_t *missed_rays, uint32_t *
 // The in-scattered radiance of all the scene's lights, drawn from nothing, for comparisons: top row first, 4 channels; the caller frees it.
 Image airlight_picture(const Raster *raster, const Scene *scene, const Camera *camera, int width, int height,
                        int map_resolution, const AirlightSettings *settings);
+// The same, kept while nothing that it depends on changes: rows of a sweep are compared with one picture. `scene_hash` stands for the scene. Begins as {0};
+// its image is the caller's to free.
+typedef struct AirlightKept {
+    uint64_t inputs;
+    Image image;
+} AirlightKept;
+const Image *airlight_picture_kept(AirlightKept *kept, uint64_t scene_hash, const Raster *raster,
+                                   const Scene *scene, const Camera *camera, int width, int height,
+                                   int map_resolution, const AirlightSettings *settings);
 
 // Surfaces through the medium, and the sum of both.
 typedef struct AirlightHaze {

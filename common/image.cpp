@@ -218,6 +218,17 @@ Image image_difference(const Image *a, const Image *b)
     return difference;
 }
 
+Image image_every(const Image *image, int every)
+{
+    const size_t step = static_cast<size_t>(every), width = static_cast<size_t>(image->width);
+    Image some = image_make((image->width - 1) / every + 1, (image->height - 1) / every + 1, image->channels);
+    float *out = some.pixels;
+    for (size_t y = 0; y < static_cast<size_t>(image->height); y += step)
+        for (size_t x = 0; x < width; x += step)
+            out = std::copy_n(pixel(*image, y * width + x), image->channels, out);
+    return some;
+}
+
 Image image_beside(const Image *const *images, int count)
 {
     int width = 0;

@@ -43,6 +43,8 @@ ImageError image_compare(const Image *a, const Image *b);
 long image_count_nonfinite(const Image *image); // of all channels
 // |a − b| a channel (the first three), for looking at.
 Image image_difference(const Image *a, const Image *b);
+// Every n-th pixel along both sides, from the top left.
+Image image_every(const Image *image, int every);
 // Left to right, same height, as RGB (one channel becomes grey); for a picture beside its truth and its difference.
 Image image_beside(const Image *const *images, int count);
 

@@ -125,9 +125,12 @@ void truth_airlight(const TruthShadows *shadows, const Scene *scene, const Truth
                     const double origin[3], const double direction[3], double length, double radiance[3]);
 
 // The scene's picture through its medium: that radiance, and with ambient >= 0 the surfaces behind it (their emission and ambient light, W/(sr·m²) times albedo,
-// and the lights' direct light, dimmed on both legs). Kept under out/truth. Top row first, 4 channels.
-Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width, int height,
+// and the lights' direct light, dimmed on both legs). Kept under out/truth. Top row first, 4 channels. Of every n-th pixel along both sides alone, from the
+// first, which have the same rays as in the whole picture (image_every takes the same pixels of another); 1: all.
+Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width, int height, int every,
                              const TruthPhase *phase, float ambient);
+// Every which pixel tables of errors ask of a picture so high, so that the truth takes as long for a large one: all up to 511 rows, then some 256 rows.
+int truth_every(int height);
 
 // For every pixel's ray, the spans that truth_lit_spans gives up to a thousandth behind the first surface, in new memory, one ray after the other: of pixel
 // x + width · y, y upwards, spans[first[i]] up to spans[first[i + 1]]. `first` has width · height + 1 items.

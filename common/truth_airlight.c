@@ -1,5 +1,5 @@
 // truth: single scattering by GSL's adaptive quadrature in double, straight along the ray: it shares no substitution with the techniques.
-#include "truth.h"
+#include "truth_internal.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -63,8 +63,9 @@ static double panels(Ray *ray, gsl_integration_workspace *work, double from, dou
     return sum;
 }
 
-double truth_airlight_point(double nearest, double foot, double radius, double from, double to, double sigma,
-                            const TruthPhase *phase)
+// What cannot reach 1e-10 is returned as good as it is: GSL's error handler, which would end the program, is off.
+static double point_integral(double nearest, double foot, double radius, double from, double to, double sigma,
+                             const TruthPhase *phase)
 {
     if (!(from < to))
         return 0.0;
@@ -79,8 +80,6 @@ double truth_airlight_point(double nearest, double foot, double radius, double f
     }
     if (isinf(last))
         last = 1e18 * fmax(1.0, hypot(nearest, a)); // σ = 0: what remains is 1e-18 of it
-    gsl_error_handler_t *handler =
-        gsl_set_error_handler_off(); // what cannot reach 1e-10 is returned as good as it is
     gsl_integration_workspace *work = gsl_integration_workspace_alloc(1000);
     const double half_chord = radius > nearest ? sqrt((radius - nearest) * (radius + nearest)) : 0.0;
     const double edges[] = {a, -half_chord, 0.0, half_chord, last};
@@ -88,8 +87,16 @@ double truth_airlight_point(double nearest, double foot, double radius, double f
     for (int i = 0; i + 1 < 5; i++)
         sum += panels(&ray, work, fmax(edges[i], a), fmin(i == 3 ? last : edges[i + 1], last));
     gsl_integration_workspace_free(work);
-    gsl_set_error_handler(handler);
     return sum * exp(-sigma * ray.path);
+}
+
+double truth_airlight_point(double nearest, double foot, double radius, double from, double to, double sigma,
+                            const TruthPhase *phase)
+{
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    const double integral = point_integral(nearest, foot, radius, from, to, sigma, phase);
+    gsl_set_error_handler(handler);
+    return integral;
 }
 
 static double dot(const double a[3], const double b[3])
@@ -115,13 +122,14 @@ static double light_integral(const Light *light, const TruthSpan *spans, size_t 
             sum += truth_phase(phase, -dot(towards, direction) / sqrt(dot(towards, towards))) *
                    exp(-sigma * t0) * (sigma > 0.0 ? -expm1(-sigma * (t1 - t0)) / sigma : t1 - t0);
         else
-            sum += truth_airlight_point(nearest, foot, (double)light->radius, t0, t1, sigma, phase);
+            sum += point_integral(nearest, foot, (double)light->radius, t0, t1, sigma, phase);
     }
     return sum;
 }
 
-void truth_airlight(const TruthShadows *shadows, const Scene *scene, const TruthPhase *phase,
-                    const double origin[3], const double direction[3], double length, double radiance[3])
+void truth_airlight_quiet(const TruthShadows *shadows, const Scene *scene, const TruthPhase *phase,
+                          const double origin[3], const double direction[3], double length,
+                          double radiance[3])
 {
     memset(radiance, 0, 3 * sizeof *radiance);
     for (size_t i = 0; i < scene->light_count; i++) {
@@ -141,4 +149,12 @@ void truth_airlight(const TruthShadows *shadows, const Scene *scene, const Truth
         }
         free(spans);
     }
+}
+
+void truth_airlight(const TruthShadows *shadows, const Scene *scene, const TruthPhase *phase,
+                    const double origin[3], const double direction[3], double length, double radiance[3])
+{
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    truth_airlight_quiet(shadows, scene, phase, origin, direction, length, radiance);
+    gsl_set_error_handler(handler);
 }

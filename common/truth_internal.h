@@ -34,6 +34,14 @@ float truth_largest(vec3 a); // of the coordinates' absolute values
 // Run `work` on so many threads (0: one a core) and wait for them. `work` takes pieces by atomic_fetch_add until none is left.
 void truth_run(void *(*work)(void *), void *shared, int threads);
 
+// truth_airlight where GSL's error handler, of which the program has one, is off already: whoever starts threads turns it off before the first of them.
+void truth_airlight_quiet(const TruthShadows *shadows, const Scene *scene, const TruthPhase *phase,
+                          const double origin[3], const double direction[3], double length,
+                          double radiance[3]);
+// truth_airlight_picture, drawn anew by so many threads (0: one a core).
+Image truth_airlight_draw(const Scene *scene, const Camera *camera, int width, int height, int every,
+                          const TruthPhase *phase, float ambient, int threads);
+
 // --- light
 
 // Triangles that emit, drawn by area and emission.

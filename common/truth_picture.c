@@ -1,6 +1,7 @@
 // truth: the picture of a scene in a homogeneous medium: single scattering by quadrature over exactly lit stretches, surfaces by Embree.
-#include "truth.h"
+#include "truth_internal.h"
 
+#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,49 +101,100 @@ static void surface_truth(const Truth *truth, const Scene *scene, const View *vi
     }
 }
 
-static char *cache_path(const Scene *scene, const Camera *camera, int width, int height,
+static char *cache_path(const Scene *scene, const Camera *camera, int width, int height, int every,
                         const TruthPhase *phase, float ambient)
 {
     const float view[] = {
         camera->eye[0],    camera->eye[1],           camera->eye[2], camera->target[0],
         camera->target[1], camera->target[2],        camera->up[0],  camera->up[1],
         camera->up[2],     camera->vertical_fov_rad, ambient,        (float)phase->rayleigh_share};
-    const int size[] = {width, height};
+    const int size[] = {width, height, every};
     uint64_t inputs = hash_bytes(truth_hash_scene(scene), view, sizeof view);
     inputs = hash_bytes(hash_bytes(inputs, size, sizeof size), phase->name, strlen(phase->name));
     return truth_cache_path("airlight", inputs, ".exr");
 }
 
-Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width, int height,
-                             const TruthPhase *phase, float ambient)
+// One picture that many threads draw, a row at a time.
+typedef struct Drawing {
+    const Truth *truth;
+    const TruthShadows *shadows;
+    const Scene *scene;
+    const Camera *camera;
+    const TruthPhase *phase;
+    float ambient;
+    int width, height, every; // of the whole picture; the image has its every-th rows and columns
+    View view;
+    Image image;
+    atomic_int next;
+} Drawing;
+
+static void draw_pixel(const Drawing *drawing, int column, int row, float *pixel)
 {
-    char *path = cache_path(scene, camera, width, height, phase, ambient);
-    if (access(path, R_OK) == 0) {
-        Image kept = image_read(path);
-        free(path);
-        return kept;
-    }
-    const View view = view_of(camera, width, height);
+    double direction[3], radiance[3];
+    const double u = 2.0 * (column + 0.5) / drawing->width - 1.0,
+                 v = 1.0 - 2.0 * (row + 0.5) / drawing->height;
+    const TruthHit hit = view_hit(&drawing->view, drawing->truth, drawing->camera, u, v, direction);
+    truth_airlight_quiet(drawing->shadows, drawing->scene, drawing->phase, drawing->view.eye, direction,
+                         (double)hit.distance, radiance);
+    if (drawing->ambient >= 0.0f && isfinite(hit.distance))
+        surface_truth(drawing->truth, drawing->scene, &drawing->view, direction, hit, drawing->ambient,
+                      radiance);
+    for (int k = 0; k < 3; k++)
+        pixel[k] = (float)radiance[k];
+    pixel[3] = 1.0f;
+}
+
+static void *draw_some(void *shared)
+{
+    Drawing *drawing = shared;
+    const Image *image = &drawing->image;
+    for (int row; (row = atomic_fetch_add(&drawing->next, 1)) < image->height;)
+        for (int column = 0; column < image->width; column++)
+            draw_pixel(drawing, drawing->every * column, drawing->every * row,
+                       image->pixels + 4 * ((size_t)row * (size_t)image->width + (size_t)column));
+    return NULL;
+}
+
+Image truth_airlight_draw(const Scene *scene, const Camera *camera, int width, int height, int every,
+                          const TruthPhase *phase, float ambient, int threads)
+{
     Truth *truth = truth_open(&scene->mesh);
     TruthShadows *shadows = truth_shadows_open(&scene->mesh, truth);
-    Image image = image_make(width, height, 4);
-    for (int i = 0; i < width * height; i++) {
-        double direction[3], radiance[3];
-        const int column = i % width, row = i / width;
-        const double v = 1.0 - 2.0 * (row + 0.5) / height;
-        const TruthHit hit = view_hit(&view, truth, camera, 2.0 * (column + 0.5) / width - 1.0, v, direction);
-        truth_airlight(shadows, scene, phase, view.eye, direction, (double)hit.distance, radiance);
-        if (ambient >= 0.0f && isfinite(hit.distance))
-            surface_truth(truth, scene, &view, direction, hit, ambient, radiance);
-        for (int k = 0; k < 3; k++)
-            image.pixels[4 * i + k] = (float)radiance[k];
-        image.pixels[4 * i + 3] = 1.0f;
-    }
+    Drawing drawing = {.truth = truth,
+                       .shadows = shadows,
+                       .scene = scene,
+                       .camera = camera,
+                       .phase = phase,
+                       .ambient = ambient,
+                       .width = width,
+                       .height = height,
+                       .every = every,
+                       .view = view_of(camera, width, height),
+                       .image = image_make((width - 1) / every + 1, (height - 1) / every + 1, 4)};
+    gsl_error_handler_t *handler = gsl_set_error_handler_off(); // all threads have one handler
+    truth_run(draw_some, &drawing, threads);
+    gsl_set_error_handler(handler);
     truth_shadows_close(shadows);
     truth_close(truth);
-    image_write(path, &image, 0.0f);
+    return drawing.image;
+}
+
+Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width, int height, int every,
+                             const TruthPhase *phase, float ambient)
+{
+    char *path = cache_path(scene, camera, width, height, every, phase, ambient);
+    const bool kept = access(path, R_OK) == 0;
+    Image image =
+        kept ? image_read(path) : truth_airlight_draw(scene, camera, width, height, every, phase, ambient, 0);
+    if (!kept)
+        image_write(path, &image, 0.0f);
     free(path);
     return image;
+}
+
+int truth_every(int height)
+{
+    return height > 256 ? height / 256 : 1;
 }
 
 TruthSpan *truth_lit_picture(const Scene *scene, const Light *light, const Camera *camera, int width,

@@ -87,11 +87,40 @@ Test(airlight, a_walk_through_a_pinhole)
     check_walk("pinhole", 2e-2); // a tenth of a ray is lit, in pieces of a texel
 }
 
+// What rows of a sweep are compared with is drawn once, and again for each thing that it depends on.
+Test(airlight, a_kept_picture_is_the_one_that_was_asked_for)
+{
+    Bench bench = bench_open("blocks");
+    AirlightKept kept = {0};
+    Scene *scene = bench.scene;
+    const float *last = NULL;
+    for (int turn = 0; turn < 6; turn++) {
+        scene->medium.scattering *= turn == 1 ? 0.5f : 1.0f;
+        scene->camera.eye[0] += turn == 2 ? 0.1f : 0.0f;
+        bench.map = turn == 3 ? 64 : bench.map;
+        bench.settings.phase = turn == 4 ? "rayleigh" : bench.settings.phase;
+        bench.settings.shadowed = turn < 5;
+        Image anew = bench_draw(&bench);
+        const uint64_t scene_hash = truth_hash_scene(scene);
+        const Image *got = airlight_picture_kept(&kept, scene_hash, bench.raster, scene, &scene->camera, SIDE,
+                                                 SIDE, bench.map, &bench.settings);
+        cr_assert_eq(memcmp(got->pixels, anew.pixels, sizeof(float) * 4 * SIDE * SIDE), 0, "turn %d", turn);
+        got->pixels[0] = turn == 5 ? -1.0f : got->pixels[0]; // a mark
+        image_free(&anew);
+        last = got->pixels;
+    }
+    const Image *again = airlight_picture_kept(&kept, truth_hash_scene(scene), bench.raster, scene,
+                                               &scene->camera, SIDE, SIDE, bench.map, &bench.settings);
+    cr_assert(again->pixels == last && again->pixels[0] == -1.0f, "the same again is not drawn again");
+    image_free(&kept.image);
+    bench_close(&bench);
+}
+
 // A map of 2048² texels gives the truth's picture to its texels' size.
 Test(airlight, segments_come_to_the_truth)
 {
     Bench bench = bench_open("two_lights");
-    Image truth = airlight_truth(bench.scene, &bench.scene->camera, SIDE, SIDE, &bench.settings, -1.0f);
+    Image truth = airlight_truth(bench.scene, &bench.scene->camera, SIDE, SIDE, 1, &bench.settings, -1.0f);
     double last = INFINITY;
     for (bench.map = 64; bench.map <= 1024; bench.map *= 4) {
         const ImageError error = method_error(&bench, "segments", 0, &truth);
@@ -108,7 +137,7 @@ static void check_real(const char *name, double tolerance)
 {
     Bench bench = bench_open(name);
     bench.scene->medium = (Medium){vec3_make(0.1f, 0.1f, 0.1f), vec3_make(0.02f, 0.02f, 0.02f), 0.0f};
-    Image truth = airlight_truth(bench.scene, &bench.scene->camera, SIDE, SIDE, &bench.settings, -1.0f);
+    Image truth = airlight_truth(bench.scene, &bench.scene->camera, SIDE, SIDE, 1, &bench.settings, -1.0f);
     const ImageError coarse = method_error(&bench, "segments", 0, &truth);
     bench.map = 1024;
     const ImageError fine = method_error(&bench, "segments", 0, &truth);

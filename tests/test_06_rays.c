@@ -73,7 +73,7 @@ static Bench bench_open(Scene *scene, const TruthPhase *phase)
                             .width = SIDE,
                             .height = SIDE,
                             .distance = bench.distance};
-    bench.truth = truth_airlight_picture(scene, &scene->camera, SIDE, SIDE, phase, -1);
+    bench.truth = truth_airlight_picture(scene, &scene->camera, SIDE, SIDE, 1, phase, -1);
     return bench;
 }
 static void bench_close(Bench *bench)

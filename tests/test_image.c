@@ -173,6 +173,21 @@ Test(image, difference_and_row_hold_their_pixels)
     cr_assert(!row.pixels && !row.width, "freed is empty");
 }
 
+Test(image, every_third_pixel_from_the_first)
+{
+    Image image = image_make(7, 4, 2);
+    for (int i = 0; i < 7 * 4 * 2; i++)
+        image.pixels[i] = (float)i;
+    Image some = image_every(&image, 3), all = image_every(&image, 1);
+    const float expected[] = {0, 1, 6, 7, 12, 13, 42, 43, 48, 49, 54, 55};
+    cr_assert(some.width == 3 && some.height == 2 && some.channels == 2, "%dx%d", some.width, some.height);
+    cr_assert_eq(memcmp(some.pixels, expected, sizeof expected), 0);
+    cr_assert(all.width == 7 && all.height == 4 && all.pixels[55] == 55.0f, "1: all");
+    image_free(&image);
+    image_free(&some);
+    image_free(&all);
+}
+
 // --- what cannot be done is said in one line ---
 
 static void read_path(void)

@@ -1,8 +1,9 @@
 // truth: the lit stretches of a ray against shadows drawn by hand and against Embree; the integral against closed forms.
-#include "truth.h"
+#include "truth_internal.h"
 
 #include <criterion/criterion.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const TruthPhase uniform = {.name = "uniform"};
 
@@ -220,4 +221,32 @@ Test(truth_airlight, a_ray_through_a_scene)
     cr_assert_float_eq(got[1] * 4 * M_PI / ((double)0.2f * (2 * lit + 2 * sun)), 1.0, 1e-6);
     cr_assert_eq(got[2], 0.0);
     shade_close(&shade);
+}
+
+// A picture of the room: as one thread draws it, so do many; and of every third pixel it has the very values of the whole.
+Test(truth_airlight, threads_and_pixels_left_out_change_no_value)
+{
+    enum { WIDTH = 23, HEIGHT = 16, EVERY = 3 };
+    Scene *scene = scene_open("cornell", 1);
+    const TruthPhase peaked = {"henyey_greenstein", 0.7, 0};
+    scene->medium = (Medium){vec3_make(0.1f, 0.2f, 0.3f), vec3_make(0.05f, 0, 0), 0.7f};
+    Image one = truth_airlight_draw(scene, &scene->camera, WIDTH, HEIGHT, 1, &peaked, 0.1f, 1);
+    Image many = truth_airlight_draw(scene, &scene->camera, WIDTH, HEIGHT, 1, &peaked, 0.1f, 7);
+    Image some = truth_airlight_draw(scene, &scene->camera, WIDTH, HEIGHT, EVERY, &peaked, 0.1f, 7);
+    Image taken = image_every(&one, EVERY);
+    cr_assert_eq(memcmp(one.pixels, many.pixels, sizeof(float) * 4 * WIDTH * HEIGHT), 0, "seven threads");
+    cr_assert(some.width == 8 && some.height == 6 && taken.width == 8 && taken.height == 6);
+    cr_assert_eq(memcmp(some.pixels, taken.pixels, sizeof(float) * 4 * 8 * 6), 0, "every third pixel");
+    cr_assert(one.pixels[4 * WIDTH * HEIGHT / 2] > 0.0f, "there is light in it");
+    image_free(&one);
+    image_free(&many);
+    image_free(&some);
+    image_free(&taken);
+    scene_close(scene);
+}
+Test(truth_airlight, large_pictures_are_asked_at_some_256_rows)
+{
+    static const int rows[][2] = {{1, 1}, {256, 1}, {511, 1}, {512, 2}, {1024, 4}, {16384, 64}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        cr_assert_eq(truth_every(rows[i][0]), rows[i][1], "%d rows", rows[i][0]);
 }

@@ -227,7 +227,7 @@ static void check_clear(Run *run, const Raster *raster, const AirlightHaze *haze
 static void check_truth(Run *run, const Camera *camera, const AirlightSettings *settings, const Image *got)
 {
     const Scene *scene = run_scene(run);
-    Image truth = airlight_truth(scene, camera, got->width, got->height, settings, -1.0f);
+    Image truth = airlight_truth(scene, camera, got->width, got->height, 1, settings, -1.0f);
     const bool sampled = strcmp(settings->method, "equiangular") == 0,
                mapped = scene->mesh.triangle_count > 0;
     const double least = scene->lights[0].kind == LIGHT_SPOT ? 1e-2 : 1e-9;
@@ -263,7 +263,7 @@ static void check_worst(Run *run, const Camera *camera, const AirlightSettings *
     const Scene *scene = run_scene(run);
     const Light *light = &scene->lights[0];
     const int width = got->width, height = got->height;
-    Image truth = airlight_truth(scene, camera, width, height, settings, -1.0f);
+    Image truth = airlight_truth(scene, camera, width, height, 1, settings, -1.0f);
     uint32_t *first = memory_new((size_t)(width * height) + 1, sizeof *first, "lit spans");
     TruthSpan *spans = truth_lit_picture(scene, light, camera, width, height, first);
     const double far = (double)vec3_length(light->position - camera->eye);

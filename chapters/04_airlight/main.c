@@ -212,6 +212,7 @@ int main(int argc, char **argv)
     Run *run = run_open(&about, argc, argv);
     Raster *raster = raster_open();
     AirlightHaze haze = airlight_haze_open();
+    AirlightKept converged = {0};
     while (run_setting(run)) {
         check_phase(run);
         const Scene *scene = run_scene(run);
@@ -347,7 +348,7 @@ int main(int argc, char **argv)
 
             if (run_truth_wanted(run)) {
                 Image truth =
-                    airlight_truth(scene, &camera, width, height, &settings, alone ? -1.0f : ambient);
+                    airlight_truth(scene, &camera, width, height, 1, &settings, alone ? -1.0f : ambient);
                 run_truth(run, &truth);
                 image_free(&truth);
             }
@@ -355,7 +356,7 @@ int main(int argc, char **argv)
         Camera camera = run_camera(run);
         Image got = raster_target_read(&glow, width, height);
         if (run_measuring_error(run))
-            airlight_errors(run, raster, &camera, &settings, &got);
+            airlight_errors(run, &converged, raster, &camera, &settings, &got);
         else if (run_checking(run))
             airlight_case(run, raster, &haze, &camera, &settings, &got);
         image_free(&got);
@@ -370,6 +371,7 @@ int main(int argc, char **argv)
         raster_view_close(&view);
         gl_texture_delete(&table);
     }
+    image_free(&converged.image);
     airlight_haze_close(&haze);
     raster_close(raster);
     return run_close(run);

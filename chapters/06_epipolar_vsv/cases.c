@@ -133,7 +133,7 @@ static void check_truth(Run *run, const Camera *camera, const RenderSettings *se
         light.position[2] += 1e-4f;
     if (is(run, "occluder edge-on to the epipole"))
         scene.mesh.triangle_count = 0;
-    Image truth = judge_truth(&scene, camera, got->width, got->height, &settings->airlight, -1.0f);
+    Image truth = judge_truth(&scene, camera, got->width, got->height, 1, &settings->airlight, -1.0f);
     const bool open = run_scene(run)->mesh.triangle_count == 0;
     const ImageError error = image_compare(got, &truth);
     run_check(run, "sum", sum_of(&truth), sum_of(got), (open ? 1e-3 : 2e-2) * sum_of(&truth),

@@ -2,31 +2,35 @@
 #include "judge.h"
 #include "truth.h"
 
-Image judge_truth(const Scene *scene, const Camera *camera, int width, int height,
+Image judge_truth(const Scene *scene, const Camera *camera, int width, int height, int every,
                   const AirlightSettings *settings, float ambient)
 {
     const TruthPhase phase = {settings->phase, (double)scene->medium.mean_cosine,
                               (double)settings->rayleigh_share};
-    return truth_airlight_picture(scene, camera, width, height, &phase, ambient);
+    return truth_airlight_picture(scene, camera, width, height, every, &phase, ambient);
 }
 
-void judge_errors(Run *run, const Raster *raster, const Scene *scene, const Camera *camera,
-                  const RenderSettings *settings, const Image *got)
+void judge_errors(Run *run, AirlightKept *kept, const Raster *raster, const Scene *scene,
+                  const Camera *camera, const RenderSettings *settings, const Image *got)
 {
-    const int width = got->width, height = got->height;
+    const int width = got->width, height = got->height, every = truth_every(height);
     AirlightSettings limit = settings->airlight;
     limit.method = "segments";
     limit.shader = NULL;
     limit.variant = "intervals";
     limit.shadowed = true;
     limit.nodes = 24;
-    Image converged = airlight_picture(raster, scene, camera, width, height, settings->map, &limit);
-    Image truth = judge_truth(scene, camera, width, height, &settings->airlight, -1.0f);
-    run_image_errors(run, "converged", got, &converged, "");
-    run_image_errors(run, "truth", got, &truth, "");
+    limit.steps = 1; // segments have none: rows that differ in them have one picture
+    const Image *converged = airlight_picture_kept(kept, truth_hash_scene(scene), raster, scene, camera,
+                                                   width, height, settings->map, &limit);
+    Image truth = judge_truth(scene, camera, width, height, every, &settings->airlight, -1.0f);
+    Image some = image_every(got, every), some_converged = image_every(converged, every);
+    run_image_errors(run, "converged", got, converged, "");
+    run_image_errors(run, "truth", &some, &truth, "");
     // How much of the error no technique on this map could avoid.
-    run_image_errors(run, "truth", &converged, &truth, "map_");
-    image_free(&converged);
+    run_image_errors(run, "truth", &some_converged, &truth, "map_");
+    image_free(&some);
+    image_free(&some_converged);
     image_free(&truth);
 }
 

@@ -66,6 +66,7 @@ int main(int argc, char **argv)
     Raster *raster = raster_open();
     AirlightHaze haze = airlight_haze_open();
     Shader *flat = shader_open("the grid laid flat", NULL, "06_epipolar_vsv/show.comp");
+    AirlightKept converged = {0};
     while (run_setting(run)) {
         // What moves is a copy; all else is the scene itself.
         const bool deforming = run_deforming(run);
@@ -193,7 +194,7 @@ int main(int argc, char **argv)
             //]
 
             if (run_truth_wanted(run)) {
-                Image truth = judge_truth(scene, &camera, width, height, &technique.airlight,
+                Image truth = judge_truth(scene, &camera, width, height, 1, &technique.airlight,
                                           shown[AIRLIGHT] || !pictures ? -1.0f : ambient);
                 run_truth(run, &truth);
                 image_free(&truth);
@@ -207,7 +208,7 @@ int main(int argc, char **argv)
                                     .map = run_integer(run, "map")};
         Image got = raster_target_read(&picture[AIRLIGHT], width, height);
         if (run_measuring_error(run))
-            judge_errors(run, raster, scene, &camera, &all, &got);
+            judge_errors(run, &converged, raster, scene, &camera, &all, &got);
         else if (run_checking(run))
             judge_case(run, raster, &camera, &all, &got);
         image_free(&got);
@@ -221,6 +222,7 @@ int main(int argc, char **argv)
             cell24_end(&moved);
         raster_view_close(&view);
     }
+    image_free(&converged.image);
     shader_close(flat);
     airlight_haze_close(&haze);
     raster_close(raster);
