@@ -57,8 +57,9 @@ struct Run {
     const char *scene_given, *out, *truth, *sweep, *stability, *shaders;
     char *out_made; // *out where it is nobody's word
     bool window, plan, json, everything, list, help, step_given;
-    int frames; // 0: not given
-    int row;    // of the table, from 1; 0: all
+    int frames;            // 0: not given
+    int row;               // of the table, from 1; 0: all
+    const char *row_names; // or its rows of these names, commas between them; NULL: all
     int step_count;
     uint64_t seed;
     RunPath path;

@@ -26,7 +26,7 @@ static const struct argp_option options[] = {
     {"truth", TRUTH, "FILE", 0, "write the truth for the same view (.exr, .png)", 0},
     {"sweep", SWEEP, "FILE.csv", 0, "write error against run time", 0},
     {"stability", STABILITY, "FILE.csv", 0, "write the stiff and extreme cases; goes with --sweep, which runs first", 0},
-    {"row", ROW, "N", 0, "with --sweep or --stability: that row alone, as --list numbers them", 0},
+    {"row", ROW, "N|NAME,...", 0, "with --sweep or --stability: that row alone, as --list numbers them, or all rows of these names", 0},
     {"plan", PLAN, NULL, 0, "print which passes ran, their ms and counts, what was left out and why", 0},
     {"json", JSON, NULL, 0, "with --plan: as JSON", 0},
     {"everything", EVERYTHING, NULL, 0, "leave nothing out", 0},
@@ -155,7 +155,8 @@ static error_t take(int key, char *text, struct argp_state *state)
     } else if (key == SEED) {
         run->seed = whole_parse("--seed", text, 0, UINT64_MAX);
     } else if (key == ROW) {
-        run->row = (int)whole_parse("--row", text, 1, ROWS_MOST);
+        run->row = isalpha((unsigned char)*text) ? 0 : (int)whole_parse("--row", text, 1, ROWS_MOST);
+        run->row_names = run->row ? NULL : text;
     } else if (key == PATH) {
         run->path = (RunPath)(1 + run_word_find("subpixel orbit light deform", text));
         if (run->path == RUN_STILL)
@@ -208,7 +209,8 @@ static void list_print(const Run *run)
 // What does not go together. Two outputs to one file would leave the later one only.
 static void together_check(const Run *run)
 {
-    bool table = run->sweep || run->stability, turns = run->path == RUN_SUBPIXEL || run->path == RUN_ORBIT;
+    bool table = run->sweep || run->stability, row = run->row || run->row_names;
+    bool turns = run->path == RUN_SUBPIXEL || run->path == RUN_ORBIT;
     unsigned uses = run->about->uses;
     // clang-format off
     const struct { bool given; const char *text; } wrong[] = {
@@ -220,8 +222,8 @@ static void together_check(const Run *run)
         {table && run->step_given, "--step: does not go with --sweep or --stability, which run every pass"},
         {run->window && run->truth, "--truth: does not go with --window; use --out beside it"},
         {run->window && run->plan, "--plan: does not go with --window, which has a key for it"},
-        {run->row && run->sweep && run->stability, "--row: names a row of --sweep or of --stability; give one of them"},
-        {run->row && !table, "--row: goes with --sweep or --stability only"},
+        {row && run->sweep && run->stability, "--row: names a row of --sweep or of --stability; give one of them"},
+        {row && !table, "--row: goes with --sweep or --stability only"},
         {table && run->frames && !run->path, "--frames: with --sweep it needs --path"},
         {run->sweep && run->path && run->frames == 1, "--frames 1: flicker along --path needs 2 frames or more"},
         {run->stability && run->path, "--path: does not go with --stability, whose cases are single pictures"},

@@ -6,7 +6,7 @@
 static const char *const task_names[] = {[RUN_SWEEP] = "sweep row", [RUN_STABILITY] = "stability case"};
 static const char *const headers[] = {
     [RUN_SWEEP] = "chapter,technique,scene,width,height,settings,ms_technique,ms_min,ms_max,ms_frame,"
-                  "reference,metric,error,ms_repeats",
+                  "reference,metric,error,ms_repeats,ms_frame_repeats",
     [RUN_STABILITY] = "chapter,case,quantity,expected,got,error,tolerance,nonfinite,verdict"};
 
 void run_row_apply(const Run *run, const RunRow *row, RunValue *values)
@@ -22,10 +22,20 @@ void run_row_apply(const Run *run, const RunRow *row, RunValue *values)
     free(text);
 }
 
+// Whether the name is one of those in `list`, between commas.
+static bool listed(const char *list, const char *name)
+{
+    const size_t length = strlen(name);
+    for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
+        if (strcspn(at, ",") == length && strncmp(at, name, length) == 0)
+            return true;
+    return false;
+}
+
 // Whether --row, --set and --scene leave this row: it sets no parameter to another value than --set does.
 static bool row_taken(const Run *run, const RunRow *table, const RunRow *row)
 {
-    if (run->row && row - table + 1 != run->row)
+    if ((run->row && row - table + 1 != run->row) || (run->row_names && !listed(run->row_names, row->name)))
         return false;
     bool taken = !run->scene_given || !row->scene || strcmp(run->scene_given, row->scene) == 0;
     RunValue *values = memory_new(run->parameter_count, sizeof *values, "a row's values");
@@ -115,14 +125,14 @@ static char *settings_text(const Run *run)
     return all;
 }
 
-// The technique's repeats in the order of their running, as "1.2 1.1 1.3", so that whoever compares two medians can say how sure that is.
-static char *repeats_text(const Run *run)
+// Repeats in the order of their running, as "1.2 1.1 1.3", so that whoever compares two medians can say how sure that is.
+static char *repeats_text(const double *ms, size_t count)
 {
     char *all = NULL;
     size_t bytes = 0;
     FILE *to = open_memstream(&all, &bytes);
-    for (size_t i = 0; i < run->repeats; ++i)
-        fprintf(to, "%s%.4f", i ? " " : "", run->technique_ms[i]);
+    for (size_t i = 0; i < count; ++i)
+        fprintf(to, "%s%.4f", i ? " " : "", ms[i]);
     fclose(to);
     return all;
 }
@@ -133,14 +143,16 @@ void run_error(Run *run, const char *reference, const char *metric, double error
         fail_work("sweep row %s, scene %s: %s is not a number", run_case(run), run->scene_name, metric);
     Statistics technique = measure_statistics(run->technique_ms, run->repeats);
     Statistics frame = measure_statistics(run->frame_ms, run->repeats);
-    char *settings = settings_text(run), *repeats = repeats_text(run);
+    char *settings = settings_text(run), *repeats = repeats_text(run->technique_ms, run->repeats),
+         *frames = repeats_text(run->frame_ms, run->repeats);
     row_write(run, RUN_SWEEP,
-              text_format("%s\t%s\t%s\t%d\t%d\t%s\t%.4f\t%.4f\t%.4f\t%.4f\t%s\t%s\t%.9g\t%s",
+              text_format("%s\t%s\t%s\t%d\t%d\t%s\t%.4f\t%.4f\t%.4f\t%.4f\t%s\t%s\t%.9g\t%s\t%s",
                           run->about->chapter, run_case(run), run->scene_name, run->width, run->height,
                           settings, technique.median, technique.least, technique.most, frame.median,
-                          reference, metric, error, repeats));
+                          reference, metric, error, repeats, frames));
     free(settings);
     free(repeats);
+    free(frames);
 }
 
 void run_image_errors(Run *run, const char *reference, const Image *got, const Image *expected,

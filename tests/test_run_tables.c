@@ -128,10 +128,10 @@ Test(run_tables, sweep_runs_every_row_on_its_scenes_and_writes_medians)
     char *rows = rows_of("s.csv");
     cr_assert_str_eq(line_of(rows, 0),
                      "chapter,technique,scene,width,height,settings,ms_technique,ms_min,ms_max,ms_frame,"
-                     "reference,metric,error,ms_repeats",
+                     "reference,metric,error,ms_repeats,ms_frame_repeats",
                      "the header");
     cr_assert_eq(count_of(rows, "\n"), 6, "%s", rows);
-    double ms[4], repeats[7];
+    double ms[4], repeats[2][7];
     char *ours = line_of(rows, 5), tail[64];
     cr_assert_eq(sscanf(ours,
                         "99_fake,ours,lit,8,4,\"method=exact;alpha=0.25;shift=0,0,1\",%lf,%lf,%lf,%lf,%63s",
@@ -141,10 +141,14 @@ Test(run_tables, sweep_runs_every_row_on_its_scenes_and_writes_medians)
     cr_assert(last, "%s", ours);
     *last = '\0';
     cr_assert_str_eq(tail, "converged,wrong,0.015625", "%s", ours);
-    const char *text = strrchr(ours, ',') + 1;
-    for (int i = 0; i < 7; ++i)
-        repeats[i] = strtod(text, (char **)&text);
-    Statistics of = measure_statistics(repeats, 7);
+    const char *text = strstr(ours, ",0.015625,") + 10;
+    for (int i = 0; i < 14; ++i) {
+        cr_assert_eq(text[-1], i % 7 ? text[-1] : ',', "seven of the technique, then seven of the frame");
+        repeats[i / 7][i % 7] = strtod(text, (char **)&text);
+        text += *text != '\0';
+    }
+    Statistics of = measure_statistics(repeats[0], 7), frame = measure_statistics(repeats[1], 7);
+    cr_assert_eq(frame.median, ms[3], "the frame's median: %s", ours);
     cr_assert(*text == '\0' && of.median == ms[0] && of.least == ms[1] && of.most == ms[2],
               "seven repeats, of which median, least and most are told: %s", ours);
     // The chapter sleeps 2 ms in its own pass and 3 in the map; a sleep is never shorter.
@@ -169,6 +173,20 @@ Test(run_tables, row_runs_alone)
     got = fake_done("--size 8x8 --stability t.csv --row 2");
     cr_assert(count_of(got.trace, "setting ") == 1 && strstr(got.trace, "setting rough dark"), "%s",
               got.trace);
+}
+
+Test(run_tables, rows_of_a_name_run_alone)
+{
+    Outcome got = fake_done("--size 8x8 --sweep s.csv --row brute --scene dark");
+    cr_assert_eq(count_of(got.trace, "setting "), 2, "%s", got.trace);
+    got = fake_done("--size 8x8 --sweep s.csv --row our,ours,oursome --scene lit");
+    cr_assert(count_of(got.trace, "setting ") == 1 && strstr(got.trace, "setting ours"), "%s", got.trace);
+    got = fake_done("--size 8x8 --sweep s.csv --row ours,brute --scene lit --set resolution=16");
+    cr_assert_eq(count_of(got.trace, "setting "), 2, "and --set leaves out of them: %s", got.trace);
+    got = fake_done("--size 8x8 --stability t.csv --row rough");
+    cr_assert(count_of(got.trace, "setting ") == 1 && strstr(got.trace, "setting rough"), "%s", got.trace);
+    fake_expect("--size 8x8 --sweep s.csv --row bru,brutes", 2,
+                "99_fake: --sweep: --row, --set or --scene leaves no row of this chapter's sweep\n");
 }
 
 Test(run_tables, row_that_measures_nothing_is_an_error)
