@@ -265,7 +265,7 @@ lessons-check: ## fail where a listing, a number or a picture in a lesson is sta
 	@sh tests/tools/lessons.sh check chapters/README.md $(wildcard chapters/*/README.md)
 pictures: $(PROGRAMS) ## render the lessons' pictures (chapters/NN_name/pictures.txt)
 	@for chapter in $(CHAPTERS); do sh tests/tools/pictures.sh $(BUILD)/$$chapter chapters/$$chapter || exit 1; done
-figures: $(PROGRAMS) $(BUILD)/figure ## measure each chapter's sweep and stability table and draw them (chapters/NN_name/figures.txt)
+figures: $(PROGRAMS) $(BUILD)/figure $(BUILD)/speed ## measure each chapter's sweep and stability table and draw them (chapters/NN_name/figures.txt)
 	@for chapter in $(CHAPTERS); do sh tests/tools/figures.sh $(BUILD) $$chapter || exit 1; done
 worst: $(BUILD)/worst ## search 100 000 random rays for the worst views of chapter 04's methods: its stability table's last rows
 	@$< > chapters/04_airlight/worst.inc.tmp && mv chapters/04_airlight/worst.inc.tmp chapters/04_airlight/worst.inc

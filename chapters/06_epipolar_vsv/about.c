@@ -8,7 +8,7 @@ static const char *const scenes[] = {"fence", "toroid", "colonnade", "forest",
 
 // clang-format off
 static const RunParameter parameters[] = {
-    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative flat solid rays march equiangular bounds segments", .shows = "how voxels are found; or the same picture by shadow rays at the grid's angles, or by brute force on the map"},
+    {.name = "method", .kind = RUN_CHOICE, .choices = "map conservative flat solid rays march equiangular factored bounds segments", .shows = "how voxels are found; or the same picture by shadow rays at the grid's angles, or by brute force on the map"},
     {.name = "alpha", .kind = RUN_INTEGER, .least = 1, .most = 4096, .initial = {512}, .unit = "voxels", .shows = "view rays in a slice"},
     {.name = "theta", .kind = RUN_INTEGER, .least = 1, .most = 8192, .initial = {1024}, .unit = "voxels", .shows = "slices about the line from eye to light"},
     {.name = "phi", .kind = RUN_CHOICE, .choices = "512 128 256 1024", .shows = "light rays in a slice"},
@@ -23,7 +23,7 @@ static const RunParameter parameters[] = {
     {.name = "slice", .kind = RUN_CHOICE, .choices = "8 4 16 32", .shows = "factored: bits that share one evaluation of what is smooth"},
     {.name = "filter", .kind = RUN_CHOICE, .choices = "none epipolar", .shows = "rows that a pixel asks: the nearest, or four over its own width (prefix: the four about it, weighted)"},
     {.name = "texture", .kind = RUN_CHOICE, .choices = "none window", .shows = "what the light shines through"},
-    {.name = "steps", .kind = RUN_INTEGER, .least = 1, .most = 16384, .initial = {64}, .unit = "samples", .shows = "march, equiangular, bounds: samples a ray"},
+    {.name = "steps", .kind = RUN_INTEGER, .least = 1, .most = 16384, .initial = {64}, .unit = "samples", .shows = "march, equiangular, factored, bounds: samples a ray"},
     {.name = "samples", .kind = RUN_INTEGER, .least = 0, .most = 16384, .initial = {0}, .unit = "rays", .shows = "rays: shadow rays a view ray; 0: as many as phi"},
     {.name = "phase", .kind = RUN_CHOICE, .choices = "uniform rayleigh henyey_greenstein hoffman_preetham hoffman_preetham_normalized", .shows = "how scattered light is shared out; mean_cosine is g"},
     {.name = "rayleigh_share", .kind = RUN_NUMBER, .least = 0, .most = 1, .initial = {0.3}, .shows = "Hoffman and Preetham: Rayleigh's share of the scattering"},

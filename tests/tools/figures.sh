@@ -6,6 +6,8 @@
 #   passes<TAB>NAME.csv<TAB>options           what each pass costs, a row a line: its ms in the last of two frames (or as many as the options say) of --plan
 #                                             along --path light, where everything is built anew and shaders are warm. Rows of one NAME.csv follow each
 #                                             other. technique: without what all methods share; times, frame_times: how often it goes into the scene's first row
+#   speed<TAB>NAME.csv<TAB>SCENES<TAB>options
+#                                             a sweep with these options of each of the scenes (BUILD/sweeps keeps them), and what build/speed makes of them all
 set -u
 build=$1 chapter=$2
 folder=chapters/$chapter
@@ -57,6 +59,22 @@ passes()
     } >"$folder/$name.tmp" && mv "$folder/$name.tmp" "$folder/$name"
 }
 
+# speed NAME.csv SCENES OPTIONS
+speed()
+{
+    mkdir -p "$build/sweeps" || return
+    made=
+    for scene in $2; do
+        sweep=$build/sweeps/${chapter}_${1%.csv}_$scene.csv
+        echo "  $build/$chapter --scene $scene $3 --sweep $sweep"
+        # shellcheck disable=SC2086 # options are words
+        "$build/$chapter" --scene "$scene" $3 --sweep "$sweep" </dev/null || return
+        made="$made $sweep"
+    done
+    # shellcheck disable=SC2086
+    "$build/speed" $made "$folder/$1"
+}
+
 while IFS=$tab read -r what options <&3; do
     case $what in
         '' | '#'*) continue ;;
@@ -65,10 +83,15 @@ while IFS=$tab read -r what options <&3; do
             passes "${options%%"$tab"*}" "${options#*"$tab"}" || { echo "figures: failed: $options" >&2; exit 1; }
             continue
             ;;
+        speed)
+            rest=${options#*"$tab"}
+            speed "${options%%"$tab"*}" "${rest%%"$tab"*}" "${rest#*"$tab"}" || { echo "figures: failed: $options" >&2; exit 1; }
+            continue
+            ;;
         sweep) command="$build/$chapter $options --sweep $folder/figures.csv" ;;
         stability) command="$build/$chapter $options --stability $folder/stability.csv" ;;
         *.png) command="$build/figure $folder/figures.csv $options $folder/pictures/$what" ;;
-        *) echo "figures: $list: sweep, stability or NAME.png begins a line, not $what" >&2; exit 1 ;;
+        *) echo "figures: $list: sweep, stability, passes, speed or NAME.png begins a line, not $what" >&2; exit 1 ;;
     esac
     echo "  $command"
     sh -c "$command" </dev/null || { echo "figures: failed: $command" >&2; exit 1; }
