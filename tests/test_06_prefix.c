@@ -106,3 +106,17 @@ Test(prefix, a_light_at_the_eye)
     image_free(&exact);
     bench_close(&bench);
 }
+
+// All lights are summed up before the first is asked, so each needs sums of its own: the last one's in place of the first's would be off by the whole picture.
+Test(prefix, each_of_two_lights_has_its_own_sums)
+{
+    Bench bench = prefix_bench("stage");
+    Light second = bench.scene->lights[0];
+    second.position = vec3_make(-2, 2.5f, 1);
+    scene_add_light(bench.scene, second);
+    Image exact = bench_segments(&bench, true);
+    const double error = bench_error(&bench, &exact).nrmse;
+    cr_assert(error < 5e-2, "%g", error);
+    image_free(&exact);
+    bench_close(&bench);
+}

@@ -12,6 +12,24 @@ static GLuint texels_of(GLuint buffer, GLenum format, const char *label)
     return texels;
 }
 
+static PrefixSums sums_open(const Prefix *prefix, bool grey)
+{
+    const size_t channels = grey ? 1 : 4, phi = (size_t)prefix->phi;
+    const size_t rows = (size_t)prefix->alpha * (size_t)prefix->theta;
+    PrefixSums of = {
+        .weights = gl_buffer(.label = "weights of phi",
+                             .bytes = channels * (size_t)prefix->alpha * phi / 8 * sizeof(float)),
+        .sums = gl_buffer(.label = "prefix sums", .bytes = channels * rows * phi / 32 * sizeof(float))};
+    of.weight_texels = texels_of(of.weights, GL_RGBA32F, "weights of phi");
+    of.sum_texels = texels_of(of.sums, grey ? GL_R32F : GL_RGBA32F, "prefix sums");
+    return of;
+}
+
+static const PrefixSums *sums_of(const Prefix *prefix, const QueryView *view)
+{
+    return &prefix->of[view->light - view->scene->lights];
+}
+
 Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, const DepthMap *maps,
                    size_t map_count, bool interpolated)
 {
@@ -41,14 +59,10 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
         free(definitions);
     }
     free(spread);
-    const size_t channels = settings->grey ? 1 : 4, rows = (size_t)volume->alpha * (size_t)volume->theta;
-    const GLenum format = settings->grey ? GL_R32F : GL_RGBA32F;
-    prefix.weights = gl_buffer(.label = "weights of phi", .bytes = channels * (size_t)volume->alpha *
-                                                                   (size_t)volume->phi / 8 * sizeof(float));
-    prefix.sums = gl_buffer(.label = "prefix sums",
-                            .bytes = channels * rows * (size_t)volume->phi / 32 * sizeof(float));
-    prefix.weight_texels = texels_of(prefix.weights, GL_RGBA32F, "weights of phi");
-    prefix.sum_texels = texels_of(prefix.sums, format, "prefix sums");
+    prefix.lights = map_count;
+    prefix.of = memory_new(map_count + 1, sizeof *prefix.of, "sums");
+    for (size_t i = 0; i < map_count; i++)
+        prefix.of[i] = sums_open(&prefix, settings->grey);
     return prefix;
 }
 
@@ -60,10 +74,13 @@ void prefix_close(Prefix *prefix)
         shader_close(prefix->weigh[i]);
         shader_close(prefix->sum[i]);
     }
-    gl_texture_delete(&prefix->weight_texels);
-    gl_texture_delete(&prefix->sum_texels);
-    gl_buffer_delete(&prefix->weights);
-    gl_buffer_delete(&prefix->sums);
+    for (size_t i = 0; i < prefix->lights; i++) {
+        gl_texture_delete(&prefix->of[i].weight_texels);
+        gl_texture_delete(&prefix->of[i].sum_texels);
+        gl_buffer_delete(&prefix->of[i].weights);
+        gl_buffer_delete(&prefix->of[i].sums);
+    }
+    free(prefix->of);
 }
 
 bool prefix_can(const Vsv *vsv, const Light *light)
@@ -83,7 +100,7 @@ void prefix_weigh(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
     const Shader *shader = prefix->weigh[view->map->kind];
     const vec3 extinction = view->scene->medium.scattering + view->scene->medium.absorption;
     vsv_bind(vsv, shader);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, prefix->weights);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, sums_of(prefix, view)->weights);
     shader_set_vec3(shader, "extinction", (const float *)&extinction);
     shader_set_float(shader, "mean_cosine", view->scene->medium.mean_cosine);
     shader_set_float(shader, "rayleigh_share", prefix->rayleigh_share);
@@ -94,8 +111,8 @@ void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
 {
     const Shader *shader = prefix->sum[view->map->kind];
     vsv_bind(vsv, shader);
-    gl.BindImageTexture(7, prefix->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, prefix->sums);
+    gl.BindImageTexture(7, sums_of(prefix, view)->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, sums_of(prefix, view)->sums);
     dispatch(shader, prefix->theta, prefix->alpha);
 }
 
@@ -112,10 +129,10 @@ const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light 
     return &prefix->ask[!plain_rays(vsv, light)];
 }
 
-void prefix_bind(const Prefix *prefix, const Vsv *vsv)
+void prefix_bind(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
 {
     const GLenum format = prefix->ask[0].settings.grey ? GL_R32F : GL_RGBA32F;
     gl.BindImageTexture(5, vsv->single, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
-    gl.BindImageTexture(6, prefix->sum_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
-    gl.BindImageTexture(7, prefix->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+    gl.BindImageTexture(6, sums_of(prefix, view)->sum_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
+    gl.BindImageTexture(7, sums_of(prefix, view)->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
 }

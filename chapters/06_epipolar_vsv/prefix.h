@@ -6,11 +6,15 @@
 
 #include "vsv.h"
 
+typedef struct PrefixSums { // of one light's volume
+    GLuint weights, weight_texels, sums, sum_texels;
+} PrefixSums;
 typedef struct Prefix {
     Airlight ask
         [2]; // the pixels' shader: 0 where every ray begins at the eye, ends in the grid and passes outside the light's radius; 1: any
     Shader *weigh[3], *sum[3]; // by DepthMap.kind
-    GLuint weights, weight_texels, sums, sum_texels;
+    PrefixSums *of;            // one a light: all are summed up before the first is asked
+    size_t lights;
     int alpha, theta, phi; // voxels
     float rayleigh_share;
 } Prefix;
@@ -26,6 +30,6 @@ void prefix_weigh(const Prefix *prefix, const Vsv *vsv, const QueryView *view);
 void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view);
 // What draws a light's airlight then, and what it reads.
 const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light *light);
-void prefix_bind(const Prefix *prefix, const Vsv *vsv);
+void prefix_bind(const Prefix *prefix, const Vsv *vsv, const QueryView *view);
 
 #endif

@@ -108,7 +108,7 @@ void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, G
 {
     const Airlight *shader = query_shader(query, vsv, view->light);
     if (query_prepares(query, vsv, view->light))
-        prefix_bind(&query->prefix, vsv);
+        prefix_bind(&query->prefix, vsv, view);
     ask(shader, vsv, view, picture);
 }
 

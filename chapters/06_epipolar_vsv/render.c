@@ -1,6 +1,8 @@
 // render: see render.h.
 #include "render.h"
 
+#include <stdlib.h>
+
 void render_volume(Vsv *vsv, const Query *query, const QueryView *view, bool full, GLuint scratch)
 {
     const GBuffer *seen = view->gbuffer;
@@ -29,15 +31,21 @@ Image render_picture(const Raster *raster, const Scene *scene, const Camera *cam
         query_open(&settings->asked, &settings->airlight, &settings->volume, view.maps, scene->light_count);
     raster_view_draw_maps(&view);
     raster_gbuffer_draw(raster, &view.gbuffer, camera, &view.mesh);
+    // As the program does: all volumes first, then what asks them.
+    Vsv *vsv = memory_new(scene->light_count + 1, sizeof *vsv, "volumes");
     for (size_t i = 0; i < scene->light_count; i++) {
         const QueryView seen = {scene, &scene->lights[i], &view.maps[i], camera, &view.gbuffer};
-        Vsv vsv = vsv_open(&settings->volume, &view.maps[i]);
-        render_volume(&vsv, &query, &seen, settings->full, target.texture);
-        if (query_prepares(&query, &vsv, seen.light))
-            query_prepare(&query, &vsv, &seen);
-        query_airlight(&query, &vsv, &seen, target.texture);
-        vsv_close(&vsv);
+        vsv[i] = vsv_open(&settings->volume, &view.maps[i]);
+        render_volume(&vsv[i], &query, &seen, settings->full, target.texture);
+        if (query_prepares(&query, &vsv[i], seen.light))
+            query_prepare(&query, &vsv[i], &seen);
     }
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const QueryView seen = {scene, &scene->lights[i], &view.maps[i], camera, &view.gbuffer};
+        query_airlight(&query, &vsv[i], &seen, target.texture);
+        vsv_close(&vsv[i]);
+    }
+    free(vsv);
     Image image = raster_target_read(&target, width, height);
     query_close(&query);
     raster_target_close(&target);
