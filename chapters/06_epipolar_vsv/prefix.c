@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+enum { BEYOND_STEPS = 256 }; // see shaders/06_epipolar_vsv/beyond.glsl
+
 static GLuint texels_of(GLuint buffer, GLenum format, const char *label)
 {
     GLuint texels;
@@ -21,11 +23,11 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
                      .phi = volume->phi,
                      .rayleigh_share = settings->rayleigh_share};
     for (int any = 0; any < 2; any++) {
-        char *definitions = text_format("%s\nRAY_CONE %d\nANY_RAY %d", spread, any, any);
+        char *definitions = text_format("%s\nANY_RAY %d\nBEYOND_STEPS %d", spread, any, BEYOND_STEPS);
         AirlightSettings with = *settings;
         with.variant = "intervals"; // the brute force's; of no meaning here
         with.definitions = definitions;
-        with.shader = "06_epipolar_vsv/airlight_prefix.comp";
+        with.shader = "06_epipolar_vsv/airlight_prefix.frag";
         with.number = interpolated;
         prefix.ask[any] = airlight_open(&with, maps, map_count);
         free(definitions);
@@ -34,10 +36,11 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
         const int kind = (int)maps[i].kind;
         if (prefix.weigh[kind])
             continue;
-        char *definitions = text_format("%s\nMAP_KIND %d\nPHASE %d\nGREY %d", spread, kind,
-                                        airlight_phase(settings->phase), settings->grey);
+        char *definitions = text_format("%s\nMAP_KIND %d\nPHASE %d\nGREY %d\nBEYOND_STEPS %d", spread, kind,
+                                        airlight_phase(settings->phase), settings->grey, BEYOND_STEPS);
         prefix.weigh[kind] = shader_open("weights", definitions, "06_epipolar_vsv/weights.comp");
         prefix.sum[kind] = shader_open("prefix sums", definitions, "06_epipolar_vsv/prefix.comp");
+        prefix.beyond[kind] = shader_open("beyond the grid", definitions, "06_epipolar_vsv/beyond_sums.comp");
         free(definitions);
     }
     free(spread);
@@ -47,6 +50,8 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
                                                                    (size_t)volume->phi / 8 * sizeof(float));
     prefix.sums = gl_buffer(.label = "prefix sums",
                             .bytes = channels * rows * (size_t)volume->phi / 32 * sizeof(float));
+    prefix.beyonds = gl_buffer(.label = "weights beyond the grid", .bytes = channels * (size_t)volume->alpha * (BEYOND_STEPS + 1) * sizeof(float));
+    prefix.beyond_texels = texels_of(prefix.beyonds, format, "weights beyond the grid");
     prefix.weight_texels = texels_of(prefix.weights, GL_RGBA32F, "weights of phi");
     prefix.sum_texels = texels_of(prefix.sums, format, "prefix sums");
     return prefix;
@@ -88,6 +93,13 @@ void prefix_weigh(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
     shader_set_float(shader, "mean_cosine", view->scene->medium.mean_cosine);
     shader_set_float(shader, "rayleigh_share", prefix->rayleigh_share);
     dispatch(shader, prefix->phi / 8, prefix->alpha);
+    shader = prefix->beyond[view->map->kind];
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, prefix->beyonds);
+    vsv_bind(vsv, shader);
+    shader_set_vec3(shader, "extinction", (const float *)&extinction);
+    shader_set_float(shader, "mean_cosine", view->scene->medium.mean_cosine);
+    shader_set_float(shader, "rayleigh_share", prefix->rayleigh_share);
+    dispatch(shader, prefix->alpha, 1);
 }
 
 void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
@@ -104,7 +116,7 @@ static bool plain_rays(const Vsv *vsv, const Light *light)
 {
     const float least = sinf(vsv->range.alpha_least), most = sinf(vsv->range.alpha_most);
     const bool outside = vsv->frame.at_infinity || vsv->frame.distance * fminf(least, most) > light->radius;
-    return vsv->whole && outside && light->kind != LIGHT_SPOT;
+    return vsv->whole && outside;
 }
 
 const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light *light)
@@ -115,6 +127,7 @@ const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light 
 void prefix_bind(const Prefix *prefix, const Vsv *vsv)
 {
     const GLenum format = prefix->ask[0].settings.grey ? GL_R32F : GL_RGBA32F;
+    gl.BindImageTexture(0, prefix->beyond_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
     gl.BindImageTexture(5, vsv->single, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
     gl.BindImageTexture(6, prefix->sum_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
     gl.BindImageTexture(7, prefix->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);

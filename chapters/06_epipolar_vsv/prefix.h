@@ -9,8 +9,8 @@
 typedef struct Prefix {
     Airlight ask
         [2]; // the pixels' shader: 0 where every ray begins at the eye, ends in the grid and passes outside the light's radius; 1: any
-    Shader *weigh[3], *sum[3]; // by DepthMap.kind
-    GLuint weights, weight_texels, sums, sum_texels;
+    Shader *weigh[3], *sum[3], *beyond[3]; // by DepthMap.kind
+    GLuint weights, weight_texels, sums, sum_texels, beyonds, beyond_texels;
     int alpha, theta, phi; // voxels
     float rayleigh_share;
 } Prefix;
