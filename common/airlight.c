@@ -1,5 +1,6 @@
 // airlight: see airlight.h.
 #include "airlight.h"
+#include "raster_internal.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,6 +23,11 @@ int airlight_phase(const char *name)
     return index_of(phases, name, "phase function");
 }
 
+static int rows_of(const AirlightSettings *settings)
+{
+    return settings->rows > 0 ? settings->rows : 1;
+}
+
 Airlight airlight_open(const AirlightSettings *settings, const DepthMap *maps, size_t map_count)
 {
     Airlight airlight = {.settings = *settings};
@@ -34,18 +40,22 @@ Airlight airlight_open(const AirlightSettings *settings, const DepthMap *maps, s
     const int method = settings->shader ? settings->number
                        : segments       ? 0
                                         : index_of(sampled, settings->method, "method");
+    airlight.drawn = strcmp(strrchr(file, '.'), ".frag") == 0;
+    gl.CreateVertexArrays(1, &airlight.no_attributes);
     for (size_t i = 0; i < map_count; i++) {
         const int kind = (int)maps[i].kind;
         if (airlight.shader[kind])
             continue;
         // the order of LightKind; in the shaders: CUBE 0, SPOT 1, DIRECTIONAL 2
-        char *definitions = text_format("METHOD %d\nVARIANT %d\nPHASE %d\nAIRLIGHT_NODES %d\nMAP_KIND "
-                                        "%d\nSHADOWED %d\nEXACT %d\nCOUNT %d\nGREY %d\n%s",
-                                        method, index_of(variants, settings->variant, "variant"),
-                                        airlight_phase(settings->phase), settings->nodes, kind,
-                                        settings->shadowed, settings->exact, settings->count, settings->grey,
-                                        settings->definitions ? settings->definitions : "");
-        airlight.shader[kind] = shader_open("airlight", definitions, file);
+        char *definitions = text_format(
+            "METHOD %d\nVARIANT %d\nPHASE %d\nAIRLIGHT_NODES %d\nMAP_KIND "
+            "%d\nSHADOWED %d\nEXACT %d\nCOUNT %d\nGREY %d\nRAY_FRAGMENT %d\nROWS %d\n%s",
+            method, index_of(variants, settings->variant, "variant"), airlight_phase(settings->phase),
+            settings->nodes, kind, settings->shadowed, settings->exact, settings->count, settings->grey,
+            airlight.drawn, rows_of(settings), settings->definitions ? settings->definitions : "");
+        airlight.shader[kind] = airlight.drawn
+                                    ? shader_open("airlight", definitions, "common/fullscreen.vert", file)
+                                    : shader_open("airlight", definitions, file);
         free(definitions);
     }
     return airlight;
@@ -57,13 +67,28 @@ void airlight_close(Airlight *airlight)
         shader_close(airlight->shader[i]);
     gl_texture_delete(&airlight->no_table);
     gl_buffer_delete(&airlight->counters);
+    gl.DeleteVertexArrays(1, &airlight->no_attributes);
     *airlight = (Airlight){0};
 }
 
-static void dispatch_pixels(const GBuffer *gbuffer)
+static void dispatch_pixels(const GBuffer *gbuffer, int rows)
 {
-    gl.DispatchCompute((GLuint)(gbuffer->width + 7) / 8, (GLuint)(gbuffer->height + 7) / 8, 1);
+    const int high = 8 * rows;
+    gl.DispatchCompute((GLuint)(gbuffer->width + 7) / 8, (GLuint)((gbuffer->height + high - 1) / high), 1);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+static void blend_pixels(const Airlight *airlight, const GBuffer *gbuffer, GLuint picture)
+{
+    GLuint framebuffer = gl_framebuffer(.label = "airlight", .color = {picture});
+    raster_target(framebuffer, gbuffer->width, gbuffer->height);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+    gl.BindVertexArray(airlight->no_attributes);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Disable(GL_BLEND);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    gl_framebuffer_delete(&framebuffer);
 }
 
 void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera *camera, const Scene *scene,
@@ -72,7 +97,8 @@ void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera
     const Shader *shader = airlight->shader[map->kind];
     const vec3 eye_from_origin = camera->eye - map->origin, scattering = scene->medium.scattering;
     const vec3 extinction = scattering + scene->medium.absorption;
-    gl.BindImageTexture(0, picture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+    if (!airlight->drawn)
+        gl.BindImageTexture(0, picture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     gl.BindImageTexture(1, gbuffer->distance, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32F);
     gl.BindImageTexture(2, map->distance, 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32F);
     const GLuint table = airlight->settings.table ? airlight->settings.table : airlight->no_table;
@@ -93,7 +119,10 @@ void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera
     shader_set_float(shader, "rayleigh_share", airlight->settings.rayleigh_share);
     shader_set_int(shader, "steps", airlight->settings.steps);
     shader_set_uint(shader, "seed", airlight->settings.seed);
-    dispatch_pixels(gbuffer);
+    if (airlight->drawn)
+        blend_pixels(airlight, gbuffer, picture);
+    else
+        dispatch_pixels(gbuffer, rows_of(&airlight->settings));
 }
 
 void airlight_counts(const Airlight *airlight, uint32_t *missed_rays, uint32_t *lookups)
@@ -178,7 +207,7 @@ void airlight_haze_attenuate(const AirlightHaze *haze, const GBuffer *gbuffer, c
     shader_set_vec3(haze->attenuate, "eye_from_light", (const float *)&eye_from_light);
     shader_set_float(haze->attenuate, "light_leg", leg ? 1.0f : 0.0f);
     shader_set_vec3(haze->attenuate, "extinction", (const float *)&extinction);
-    dispatch_pixels(gbuffer);
+    dispatch_pixels(gbuffer, 1);
 }
 
 void airlight_sum(const AirlightHaze *haze, const GBuffer *gbuffer, float surface_share, GLuint surfaces,
@@ -189,5 +218,5 @@ void airlight_sum(const AirlightHaze *haze, const GBuffer *gbuffer, float surfac
     gl.BindImageTexture(2, airlight, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
     shader_use(haze->add);
     shader_set_float(haze->add, "surface_share", surface_share);
-    dispatch_pixels(gbuffer);
+    dispatch_pixels(gbuffer, 1);
 }

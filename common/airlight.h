@@ -24,6 +24,7 @@ typedef struct AirlightSettings {
     const char *shader, *definitions; // more of them, or NULL
     int number;
     GLuint table;
+    int rows; // pixels above each other that one invocation of a chapter's compute shader does, ROWS in it; 0: one
 } AirlightSettings;
 // PHASE in shaders/common/phase.glsl; another name ends the program.
 int airlight_phase(const char *name);
@@ -39,6 +40,8 @@ typedef struct Airlight {
     AirlightSettings settings;
     Shader *shader[3]; // by DepthMap.kind; NULL: no such light
     GLuint no_table;   // one texel
+    GLuint no_attributes;
+    bool drawn; // by a fragment shader, which the file's name tells
     GLuint counters;
     AirlightReach reach; // settings.exact: of the light that is added next; not kept
 } Airlight;

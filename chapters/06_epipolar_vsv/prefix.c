@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+enum { BEYOND_STEPS = 256 }; // see shaders/06_epipolar_vsv/beyond.glsl
+
 static GLuint texels_of(GLuint buffer, GLenum format, const char *label)
 {
     GLuint texels;
@@ -19,9 +21,12 @@ static PrefixSums sums_open(const Prefix *prefix, bool grey)
     PrefixSums of = {
         .weights = gl_buffer(.label = "weights of phi",
                              .bytes = channels * (size_t)prefix->alpha * phi / 8 * sizeof(float)),
-        .sums = gl_buffer(.label = "prefix sums", .bytes = channels * rows * phi / 32 * sizeof(float))};
+        .sums = gl_buffer(.label = "prefix sums", .bytes = channels * rows * phi / 32 * sizeof(float)),
+        .beyond = gl_buffer(.label = "weights beyond the grid",
+                            .bytes = channels * (size_t)prefix->alpha * (BEYOND_STEPS + 1) * sizeof(float))};
     of.weight_texels = texels_of(of.weights, GL_RGBA32F, "weights of phi");
     of.sum_texels = texels_of(of.sums, grey ? GL_R32F : GL_RGBA32F, "prefix sums");
+    of.beyond_texels = texels_of(of.beyond, grey ? GL_R32F : GL_RGBA32F, "weights beyond the grid");
     return of;
 }
 
@@ -39,11 +44,11 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
                      .phi = volume->phi,
                      .rayleigh_share = settings->rayleigh_share};
     for (int any = 0; any < 2; any++) {
-        char *definitions = text_format("%s\nRAY_CONE %d\nANY_RAY %d", spread, any, any);
+        char *definitions = text_format("%s\nANY_RAY %d\nBEYOND_STEPS %d", spread, any, BEYOND_STEPS);
         AirlightSettings with = *settings;
         with.variant = "intervals"; // the brute force's; of no meaning here
         with.definitions = definitions;
-        with.shader = "06_epipolar_vsv/airlight_prefix.comp";
+        with.shader = "06_epipolar_vsv/airlight_prefix.frag";
         with.number = interpolated;
         prefix.ask[any] = airlight_open(&with, maps, map_count);
         free(definitions);
@@ -52,10 +57,11 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
         const int kind = (int)maps[i].kind;
         if (prefix.weigh[kind])
             continue;
-        char *definitions = text_format("%s\nMAP_KIND %d\nPHASE %d\nGREY %d", spread, kind,
-                                        airlight_phase(settings->phase), settings->grey);
+        char *definitions = text_format("%s\nMAP_KIND %d\nPHASE %d\nGREY %d\nBEYOND_STEPS %d", spread, kind,
+                                        airlight_phase(settings->phase), settings->grey, BEYOND_STEPS);
         prefix.weigh[kind] = shader_open("weights", definitions, "06_epipolar_vsv/weights.comp");
         prefix.sum[kind] = shader_open("prefix sums", definitions, "06_epipolar_vsv/prefix.comp");
+        prefix.beyond[kind] = shader_open("weights beyond", definitions, "06_epipolar_vsv/beyond_sums.comp");
         free(definitions);
     }
     free(spread);
@@ -73,12 +79,15 @@ void prefix_close(Prefix *prefix)
     for (int i = 0; i < 3; i++) {
         shader_close(prefix->weigh[i]);
         shader_close(prefix->sum[i]);
+        shader_close(prefix->beyond[i]);
     }
     for (size_t i = 0; i < prefix->lights; i++) {
         gl_texture_delete(&prefix->of[i].weight_texels);
         gl_texture_delete(&prefix->of[i].sum_texels);
         gl_buffer_delete(&prefix->of[i].weights);
         gl_buffer_delete(&prefix->of[i].sums);
+        gl_texture_delete(&prefix->of[i].beyond_texels);
+        gl_buffer_delete(&prefix->of[i].beyond);
     }
     free(prefix->of);
 }
@@ -95,16 +104,26 @@ static void dispatch(const Shader *shader, int wide, int high)
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
-void prefix_weigh(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
+static void weigh_by(const Prefix *prefix, const Shader *shader, const Vsv *vsv, const QueryView *view,
+                     GLuint weights, int wide, int high)
 {
-    const Shader *shader = prefix->weigh[view->map->kind];
     const vec3 extinction = view->scene->medium.scattering + view->scene->medium.absorption;
     vsv_bind(vsv, shader);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, sums_of(prefix, view)->weights);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, weights);
     shader_set_vec3(shader, "extinction", (const float *)&extinction);
     shader_set_float(shader, "mean_cosine", view->scene->medium.mean_cosine);
     shader_set_float(shader, "rayleigh_share", prefix->rayleigh_share);
-    dispatch(shader, prefix->phi / 8, prefix->alpha);
+    dispatch(shader, wide, high);
+}
+
+void prefix_weigh(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
+{
+    const PrefixSums *of = sums_of(prefix, view);
+    const int kind = (int)view->map->kind;
+    weigh_by(prefix, prefix->weigh[kind], vsv, view, of->weights, prefix->phi / 8, prefix->alpha);
+    if (view->light->kind !=
+        LIGHT_DIRECTIONAL) // whose rest has a closed form that costs no more than a table
+        weigh_by(prefix, prefix->beyond[kind], vsv, view, of->beyond, prefix->alpha, 1);
 }
 
 void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
@@ -116,12 +135,12 @@ void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
     dispatch(shader, prefix->theta, prefix->alpha);
 }
 
-// Whether every view ray begins at the eye, ends where the grid does, and passes the light outside its radius.
+// Whether every view ray ends where the grid does, and passes the light outside its radius.
 static bool plain_rays(const Vsv *vsv, const Light *light)
 {
     const float least = sinf(vsv->range.alpha_least), most = sinf(vsv->range.alpha_most);
     const bool outside = vsv->frame.at_infinity || vsv->frame.distance * fminf(least, most) > light->radius;
-    return vsv->whole && outside && light->kind != LIGHT_SPOT;
+    return vsv->whole && outside;
 }
 
 const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light *light)
@@ -132,6 +151,7 @@ const Airlight *prefix_shader(const Prefix *prefix, const Vsv *vsv, const Light 
 void prefix_bind(const Prefix *prefix, const Vsv *vsv, const QueryView *view)
 {
     const GLenum format = prefix->ask[0].settings.grey ? GL_R32F : GL_RGBA32F;
+    gl.BindImageTexture(0, sums_of(prefix, view)->beyond_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
     gl.BindImageTexture(5, vsv->single, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
     gl.BindImageTexture(6, sums_of(prefix, view)->sum_texels, 0, GL_FALSE, 0, GL_READ_ONLY, format);
     gl.BindImageTexture(7, sums_of(prefix, view)->weight_texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);

@@ -8,12 +8,13 @@
 
 typedef struct PrefixSums { // of one light's volume
     GLuint weights, weight_texels, sums, sum_texels;
+    GLuint beyond, beyond_texels; // of what is lit behind the grid
 } PrefixSums;
 typedef struct Prefix {
     Airlight ask
-        [2]; // the pixels' shader: 0 where every ray begins at the eye, ends in the grid and passes outside the light's radius; 1: any
-    Shader *weigh[3], *sum[3]; // by DepthMap.kind
-    PrefixSums *of;            // one a light: all are summed up before the first is asked
+        [2]; // the pixels' shader: 0 where every ray ends in the grid and passes outside the light's radius; 1: any
+    Shader *weigh[3], *sum[3], *beyond[3]; // by DepthMap.kind
+    PrefixSums *of;                        // one a light: all are summed up before the first is asked
     size_t lights;
     int alpha, theta, phi; // voxels
     float rayleigh_share;

@@ -32,7 +32,9 @@ Query query_open(const QuerySettings *settings, const AirlightSettings *airlight
     query.airlight = airlight_open(&with, maps, map_count);
     with.count = false;
     with.shader = "06_epipolar_vsv/range.comp";
+    with.rows = 8;
     query.range = airlight_open(&with, maps, map_count);
+    with.rows = 1;
     with.shader = "06_epipolar_vsv/counts.comp";
     query.counts = airlight_open(&with, maps, map_count);
     with.shader = "06_epipolar_vsv/surface.comp";

@@ -8,8 +8,15 @@
 #define CUBE 0
 #define SPOT 1
 #define DIRECTIONAL 2
+// Where the picture goes: a fragment shader's is added by blending, three times as fast on this renderer as what a compute shader loads and stores.
+#if RAY_FRAGMENT
+layout(location = 0) out vec4 airlight; // W/(sr·m²)
+#define RAY_PIXEL ivec2(gl_FragCoord.xy)
+#else
 layout(local_size_x = 8, local_size_y = 8) in;
+#define RAY_PIXEL ivec2(gl_GlobalInvocationID.xy)
 layout(binding = 0, rgba32f) uniform image2D airlight; // W/(sr·m²), added to
+#endif
 layout(binding = 1, r32f) readonly uniform image2D distances;
 #if MAP_KIND == CUBE
 layout(binding = 2, r32f) readonly uniform image2DArray depth_map;
@@ -63,25 +70,38 @@ void ray_clip_cone(inout Ray ray)
 }
 //]
 
-Ray ray_of(ivec2 pixel)
+// The pixel's ray up to the first surface, as far as light can be on it.
+Ray ray_to_surface(ivec2 pixel)
 {
     Ray ray;
-    ray.direction = camera_ray((vec2(pixel) + 0.5) / vec2(imageSize(airlight)));
+    ray.direction = camera_ray((vec2(pixel) + 0.5) / vec2(imageSize(distances)));
     ray.from = 0.0;
     ray.to = imageLoad(distances, pixel).x;
-    float least = AIRLIGHT_FAR; // the least extinction of a channel that scatters at all
-    for (int k = 0; k < 3; k++)
-        least = scattering[k] > 0.0 ? min(least, extinction[k]) : least;
-#if MAP_KIND == DIRECTIONAL
     ray.nearest = ray.foot = 0.0;
-    float last = AIRLIGHT_CUT / least;
-#else
+#if MAP_KIND != DIRECTIONAL
     airlight_from_vectors(-eye_from_origin, ray.direction, ray.nearest, ray.foot);
     ray.nearest = max(ray.nearest, AIRLIGHT_LEAST);
 #if RAY_CONE
     if (light_cone.y > 0.0)
         ray_clip_cone(ray);
 #endif
+#endif
+    ray.inside = float(ray.from < ray.to);
+    if (ray.inside == 0.0) // with --everything it is computed all the same, for nothing
+        ray.from = ray.to = 0.0;
+    return ray;
+}
+
+// And before all light is absorbed.
+Ray ray_of(ivec2 pixel)
+{
+    Ray ray = ray_to_surface(pixel);
+    float least = AIRLIGHT_FAR; // the least extinction of a channel that scatters at all
+    for (int k = 0; k < 3; k++)
+        least = scattering[k] > 0.0 ? min(least, extinction[k]) : least;
+#if MAP_KIND == DIRECTIONAL
+    float last = AIRLIGHT_CUT / least;
+#else
     // The way eye-point-light grows along the ray: beyond `cut` of s = r + (t - foot) less than e^-14 of the airlight is left.
     float start = ray.from - ray.foot, sum = airlight_hypotenuse(ray.nearest, start) + abs(start);
     float cut = (start >= 0.0 ? sum : ray.nearest * (ray.nearest / sum)) + AIRLIGHT_CUT / least;
@@ -90,7 +110,7 @@ Ray ray_of(ivec2 pixel)
     ray.to = min(ray.to, last);
     ray.inside = float(ray.from < ray.to);
     if (ray.inside == 0.0) {
-        ray.from = 0.0; // with --everything it is computed all the same, for nothing
+        ray.from = 0.0;
         ray.to = max(last, 0.0);
     }
     return ray;
@@ -99,7 +119,7 @@ Ray ray_of(ivec2 pixel)
 // Whether to go on: the pixel is in the picture, and (nothing needless) light can be on its ray.
 bool ray_needed(ivec2 pixel, Ray ray)
 {
-    bool in_picture = all(lessThan(pixel, imageSize(airlight)));
+    bool in_picture = all(lessThan(pixel, imageSize(distances)));
 #if !EVERYTHING
 #if COUNT
     if (in_picture && ray.inside == 0.0)
@@ -141,8 +161,12 @@ float ray_lit(Ray ray, float t)
 // `integral` a channel is for σs = I = 1.
 void ray_store(ivec2 pixel, Ray ray, vec3 integral, uint fetches)
 {
-    vec4 before = imageLoad(airlight, pixel);
-    imageStore(airlight, pixel, before + vec4(scattering * light_intensity * integral * ray.inside, 0.0));
+    vec4 radiance = vec4(scattering * light_intensity * integral * ray.inside, 0.0);
+#if RAY_FRAGMENT
+    airlight = radiance;
+#else
+    imageStore(airlight, pixel, imageLoad(airlight, pixel) + radiance);
+#endif
 #if COUNT
     atomicAdd(lookups, fetches);
 #endif

@@ -1,10 +1,12 @@
 // Airlight from the volume's bits by two fetches a view ray: what has been summed up to the word in which the ray ends, and that word. Between the grid's view
 // rays it is interpolated (METHOD 1), or the nearest is taken (METHOD 0).
+#define RAY_CONE (MAP_KIND == 1)
 #include "common/airlight_ray.glsl"
 #include "06_epipolar_vsv/query.glsl"
 #include "06_epipolar_vsv/stretch.glsl"
 layout(binding = 7, rgba32f) readonly uniform imageBuffer weights;
 #include "06_epipolar_vsv/bytes.glsl"
+#include "06_epipolar_vsv/beyond.glsl"
 layout(binding = 5, r32ui) readonly uniform uimageBuffer words;
 #if GREY
 layout(binding = 6, r32f) readonly uniform imageBuffer prefixes;
@@ -12,19 +14,19 @@ layout(binding = 6, r32f) readonly uniform imageBuffer prefixes;
 layout(binding = 6, rgba32f) readonly uniform imageBuffer prefixes;
 #endif
 
-// ANY_RAY 0: every ray begins at the eye, ends in the grid and passes outside the light's radius. This renderer computes both sides of an if.
+// ANY_RAY 0: every ray ends in the grid and passes outside the light's radius. This renderer computes both sides of an if.
 #define NEAREST 0
 #define LINEAR 1
 #if METHOD == LINEAR
-const int CORNERS = 4;
+const int SIDES = 2; // of the pixel's view ray, along each axis
 #else
-const int CORNERS = 1;
+const int SIDES = 1;
 #endif
 
 // The view rays of the grid about the pixel's, and how much each counts.
 struct Corners {
-    int alpha[CORNERS], row[CORNERS]; // row: its first word
-    float share[CORNERS];
+    int alpha[SIDES], row[SIDES]; // row: the first word of its slice's row in the plane α = 0
+    float nearer[SIDES], share[SIDES];
 };
 
 //[corners
@@ -38,17 +40,15 @@ Corners corners_of(vec2 place) // (α, θ)
     ivec2 last = epipolar_count.xy - 1, least = max(ivec2(below), ivec2(0)), most = min(ivec2(below) + 1, last);
     least.y = round_trip && below.y < 0.0 ? last.y : least.y;
     most.y = round_trip && int(below.y) == last.y ? 0 : most.y;
-    for (int k = 0; k < CORNERS; k++) {
-        bool farther = (k & 1) == 1, next = k >> 1 == 1;
-        corners.alpha[k] = farther ? most.x : least.x;
-        corners.row[k] = epipolar_word(corners.alpha[k], next ? most.y : least.y, 0);
-        corners.share[k] = (farther ? beyond.x : 1.0 - beyond.x) * (next ? beyond.y : 1.0 - beyond.y);
-    }
+    corners.alpha = int[2](least.x, most.x);
+    corners.row = int[2](epipolar_column(least.y, 0), epipolar_column(most.y, 0));
+    corners.nearer = float[2](1.0 - beyond.x, beyond.x);
+    corners.share = float[2](1.0 - beyond.y, beyond.y);
 #else
     ivec2 row = clamp(ivec2(place), ivec2(0), epipolar_count.xy - 1);
     corners.alpha[0] = row.x;
-    corners.row[0] = epipolar_word(row.x, row.y, 0);
-    corners.share[0] = 1.0;
+    corners.row[0] = epipolar_column(row.y, 0);
+    corners.nearer[0] = corners.share[0] = 1.0;
 #endif
     return corners;
 }
@@ -67,12 +67,22 @@ Weight reached(Corners corners, float phi)
     int speaks = part < 0.5 ? max(whole - 1, 0) : whole;
     uint before = (1u << whole) - 1u;
     Weight sum = Weight(0.0);
-    for (int k = 0; k < CORNERS; k++) {
-        uint bits = ~imageLoad(words, corners.row[k] + word).x;
-        // Byte by byte: behind a lamp the way by which light is dimmed grows fast with φ, and so weights differ within a word.
-        vec4 lit = byte_counts(bits & before);
-        lit[whole >> 3] += part * float((bits >> speaks) & 1u);
-        sum += corners.share[k] * (weight_load(imageLoad(prefixes, corners.row[k] + word)) + weighted(lit, corners.alpha[k] * epipolar_row_words() + word));
+    for (int i = 0; i < SIDES; i++) {
+        int first = corners.alpha[i] * epipolar_columns() + word;
+        vec4 lit = vec4(0.0);
+        Weight total = Weight(0.0);
+        for (int k = 0; k < SIDES; k++) {
+            uint bits = ~imageLoad(words, first + corners.row[k]).x;
+            // Byte by byte: behind a lamp the way by which light is dimmed grows fast with φ, and so weights differ within a word.
+            vec4 counts = byte_counts(bits & before);
+            counts[whole >> 3] += part * float((bits >> speaks) & 1u);
+            lit += corners.share[k] * counts;
+            total += corners.share[k] * weight_load(imageLoad(prefixes, first + corners.row[k]));
+        }
+        sum += corners.nearer[i] * (total + weighted(lit, corners.alpha[i] * epipolar_row_words() + word));
+#if ANY_RAY && MAP_KIND != DIRECTIONAL
+        sum += corners.nearer[i] * beyond_grid(corners.alpha[i], phi);
+#endif
     }
     return sum;
 }
@@ -94,8 +104,13 @@ float inverse_distance(Ray ray, float turned)
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    airlight = vec4(0.0);
+    ivec2 pixel = RAY_PIXEL;
+#if MAP_KIND == DIRECTIONAL
     Ray ray = ray_of(pixel);
+#else
+    Ray ray = ray_to_surface(pixel);
+#endif
     if (!ray_needed(pixel, ray))
         return;
     vec3 epipolar = to_epipolar(ray.direction);
@@ -104,18 +119,20 @@ void main()
     Corners corners = corners_of(vec2(epipolar_alpha_place(epipolar.x), epipolar_theta_place(epipolar.y)));
     Weight sum = reached(corners, phi);
     vec3 rest = vec3(0.0);
-#if ANY_RAY
+#if RAY_CONE
     float from = ray.from > 0.0 ? epipolar_phi(alpha, ray.from) : 0.0; // a cone's border
     sum -= reached(corners, from);
     turned -= from;
+#endif
+#if ANY_RAY && MAP_KIND == DIRECTIONAL
     // No occluder reaches beyond the grid: there all is lit.
     float most = epipolar_least.z + epipolar_span.z, border = clamp(epipolar_along(alpha, most), ray.from, ray.to);
-    rest = stretch(ray, phi > most * (1.0 + 1e-5) ? border : ray.to, ray.to);
+
 #endif
 #if ANY_RAY && MAP_KIND != DIRECTIONAL
     sum *= inverse_distance(ray, turned);
 #elif MAP_KIND != DIRECTIONAL
     sum /= ray.nearest;
 #endif
-    ray_store(pixel, ray, vec3(sum) + rest, 3u * uint(CORNERS));
+    ray_store(pixel, ray, vec3(sum) + rest, 3u * uint(SIDES * SIDES));
 }
