@@ -14,7 +14,7 @@ static const RunParameter parameters[] = {
     {.name = "phi", .kind = RUN_CHOICE, .choices = "512 128 256 1024", .shows = "light rays in a slice"},
     {.name = "split", .kind = RUN_CHOICE, .choices = "all none wrap epipole", .shows = "flat: which triangles are split: across the ends of θ, around the line from eye to light"},
     {.name = "parts", .kind = RUN_INTEGER, .least = 1, .most = 16, .initial = {8}, .unit = "parts", .shows = "flat: how finely a triangle's edge is subdivided at most"},
-    {.name = "warp", .kind = RUN_CHOICE, .choices = "even square", .shows = "how light rays are spread over a slice"},
+    {.name = "warp", .kind = RUN_CHOICE, .choices = "even square borders", .shows = "how light rays are spread over a slice: evenly, densely at the eye, or where shadows have borders"},
     {.name = "slices", .kind = RUN_CHOICE, .choices = "uniform pixel", .shows = "slices at equal angles, or at most a pixel apart"},
     {.name = "range", .kind = RUN_CHOICE, .choices = "seen full", .shows = "what the grid covers: what the picture shows, or all angles"},
     {.name = "shape", .kind = RUN_CHOICE, .choices = "cube paraboloid", .shows = "map: of a point light, six squares or two paraboloids"},

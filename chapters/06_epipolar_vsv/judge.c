@@ -66,6 +66,7 @@ const RunRow judge_sweep[] = {
     {"map", NULL, "method=map map=2048", NULL},
     {"map", NULL, "method=map map=4096", NULL},
     {"map", NULL, "method=map warp=square", NULL},
+    {"map", NULL, "method=map warp=borders", NULL},
     {"map", NULL, "method=map slices=pixel", NULL},
     {"map", NULL, "method=map warp=square slices=pixel theta=2048 map=2048", NULL},
     {"map", NULL, "method=map integral=riemann", NULL},
@@ -74,6 +75,7 @@ const RunRow judge_sweep[] = {
     {"prefix", NULL, "method=map integral=prefix", NULL},
     {"prefix", NULL, "method=map integral=prefix filter=epipolar", NULL},
     {"prefix", NULL, "method=map integral=prefix filter=epipolar warp=square", NULL},
+    {"prefix", NULL, "method=map integral=prefix filter=epipolar warp=borders", NULL},
     {"prefix", NULL, "method=map integral=prefix filter=epipolar alpha=256 theta=512", NULL},
     {"map", NULL, "method=map scan=logstep", NULL},
     // What the figures of speed are of: --row runs,totals,rays,factored.

@@ -1,5 +1,6 @@
 // query: see query.h.
 #include "query.h"
+#include "spread.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,6 +36,11 @@ Query query_open(const QuerySettings *settings, const AirlightSettings *airlight
     with.rows = 8;
     query.range = airlight_open(&with, maps, map_count);
     with.rows = 1;
+    if (vsv_spreads(volume)) {
+        query.weight = gl_buffer(.label = "weight of borders", .bytes = SPREAD_STEPS * sizeof(uint32_t));
+        with.shader = "06_epipolar_vsv/borders.comp";
+        query.borders = airlight_open(&with, maps, map_count);
+    }
     with.shader = "06_epipolar_vsv/counts.comp";
     query.counts = airlight_open(&with, maps, map_count);
     with.shader = "06_epipolar_vsv/surface.comp";
@@ -54,11 +60,13 @@ void query_close(Query *query)
 {
     airlight_close(&query->airlight);
     airlight_close(&query->range);
+    airlight_close(&query->borders);
     airlight_close(&query->counts);
     airlight_close(&query->surface);
     airlight_close(&query->beyond);
     prefix_close(&query->prefix);
     gl_buffer_delete(&query->phi);
+    gl_buffer_delete(&query->weight);
 }
 
 static void ask(const Airlight *what, const Vsv *vsv, const QueryView *view, GLuint picture)
@@ -88,6 +96,21 @@ bool query_range(const Query *query, Vsv *vsv, const QueryView *view, bool cut, 
     }
     const float pixel = view->camera->vertical_fov_rad / (float)view->gbuffer->height;
     return vsv->frame.distance > 0.0f && (isinf(phi[2]) || vsv->frame.distance > pixel * phi[2]);
+}
+
+void query_spread(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
+{
+    enum { RAYS = 64 }; // a side of the picture, about
+    const int side =
+        view->gbuffer->width > view->gbuffer->height ? view->gbuffer->width : view->gbuffer->height;
+    const uint32_t none = 0;
+    uint32_t weight[SPREAD_STEPS];
+    gl.ClearNamedBufferData(query->weight, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, query->weight);
+    shader_set_int(query->borders.shader[view->map->kind], "stride", (side + RAYS - 1) / RAYS);
+    ask(&query->borders, vsv, view, picture);
+    gl_buffer_read(query->weight, 0, sizeof weight, weight);
+    spread_set(vsv->spread, vsv->range.phi, weight);
 }
 
 bool query_prepares(const Query *query, const Vsv *vsv, const Light *light)

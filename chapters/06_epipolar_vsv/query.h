@@ -6,10 +6,11 @@
 
 // Shaders that start from common/airlight_ray.glsl and 06_epipolar_vsv/query.glsl, for all of a scene's lights.
 typedef struct Query {
-    Airlight airlight, range, counts, surface, beyond;
+    Airlight airlight, range, borders, counts, surface, beyond;
     Prefix prefix;
     bool textured, prefixed;
-    GLuint phi; // least and most; the nearest surface
+    GLuint phi;    // least and most; the nearest surface
+    GLuint weight; // of borders
 } Query;
 typedef struct QuerySettings {
     const char
@@ -27,6 +28,8 @@ void query_close(Query *query);
 // What the view's rays reach: with `cut`, or for a directional light, vsv->range's φ is cut down to it; vsv has been aimed. `picture` gives the size alone. False:
 // the light is so near the eye that it sees what the eye sees: between both, shadows are thinner than a pixel.
 bool query_range(const Query *query, Vsv *vsv, const QueryView *view, bool cut, GLuint picture);
+// With warp=borders, once the range is known and before there are voxels: spreads φ by where the view's shadows have borders.
+void query_spread(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture);
 // Once the volume is scanned, and before its airlight: what integral=prefix sums up. False: nothing is to be summed.
 bool query_prepares(const Query *query, const Vsv *vsv, const Light *light);
 void query_prepare(const Query *query, const Vsv *vsv, const QueryView *view);

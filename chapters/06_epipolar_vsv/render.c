@@ -17,6 +17,8 @@ void render_volume(Vsv *vsv, const Query *query, const QueryView *view, bool ful
         vsv_light_all(vsv);
         return;
     }
+    if (vsv_spreads(size))
+        query_spread(query, vsv, view, scratch);
     vsv_clear(vsv);
     vsv_voxelize_map(vsv, view->light, view->map);
     vsv_scan(vsv);

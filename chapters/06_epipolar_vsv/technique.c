@@ -18,6 +18,14 @@ static void check_settings(const Run *run, const Technique *technique)
                      run_choice(run, "integral"));
 }
 
+// Triangles and rays have grids of their own making, which no table spreads.
+static void check_spread(const Run *run, const Technique *technique)
+{
+    if ((technique->geometric || technique->by_rays) && vsv_spreads(&technique->size))
+        fail_request("--set warp=borders: is for voxels from a map; method=%s takes even or square",
+                     run_choice(run, "method"));
+}
+
 static AirlightSettings airlight_settings(const Run *run, bool brute)
 {
     const vec3 extinction = run_scene(run)->medium.scattering + run_scene(run)->medium.absorption;
@@ -59,6 +67,7 @@ Technique technique_open(const Run *run, const RasterView *view)
     if (t.bounded)
         t.airlight.shader = "06_epipolar_vsv/bounds.comp";
     check_settings(run, &t);
+    check_spread(run, &t);
     if (t.geometric) {
         t.triangles = triangles_open(&(TrianglesSettings){run_choice(run, "method"),
                                                           triangles_splits(run_choice(run, "split")),
@@ -144,6 +153,8 @@ void technique_voxels(Technique *technique, Run *run, const RasterView *view, co
     }
     const bool apart = !technique->at_eye[light], filled = needed && apart && !technique->by_rays;
     const char *why_not = technique->by_rays ? NO_GRID : apart ? needs->why_not : AT_EYE;
+    if (vsv_spreads(&technique->size) && run_pass(run, "borders", filled, why_not))
+        query_spread(&technique->query, vsv, &asked, picture);
     if (run_pass(run, "clear", filled, why_not))
         vsv_clear(vsv);
     if (technique->geometric && run_pass(run, "extents", filled, why_not)) {

@@ -1,13 +1,19 @@
 // vsv: see vsv.h.
 #include "vsv.h"
+#include "spread.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+bool vsv_spreads(const VsvSettings *settings)
+{
+    return strcmp(settings->warp, "borders") == 0;
+}
+
 char *vsv_definitions(const VsvSettings *settings)
 {
-    return text_format("WARP %d\nTHETA_TABLE %d", strcmp(settings->warp, "square") == 0,
-                       strcmp(settings->slices, "pixel") == 0);
+    const int warp = strcmp(settings->warp, "square") == 0 ? 1 : vsv_spreads(settings) ? 2 : 0;
+    return text_format("WARP %d\nTHETA_TABLE %d", warp, strcmp(settings->slices, "pixel") == 0);
 }
 
 static int level_count(const Vsv *vsv, int level) // α of a level of the mip chain
@@ -39,6 +45,7 @@ Vsv vsv_open(const VsvSettings *settings, const DepthMap *map)
     vsv.slices = gl_buffer(.label = "slices", .bytes = 2 * (size_t)settings->theta * sizeof(uint32_t));
     vsv.borders =
         gl_buffer(.label = "borders of slices", .bytes = ((size_t)settings->theta + 1) * sizeof(float));
+    vsv.spread = gl_buffer(.label = "spread of phi", .bytes = spread_bytes(settings->phi));
     char *spread = vsv_definitions(settings);
     const bool halves = strcmp(settings->shape, "paraboloid") == 0;
     if (halves && map->kind != LIGHT_POINT)
@@ -72,6 +79,7 @@ void vsv_close(Vsv *vsv)
     gl_buffer_delete(&vsv->first);
     gl_buffer_delete(&vsv->slices);
     gl_buffer_delete(&vsv->borders);
+    gl_buffer_delete(&vsv->spread);
     shader_close(vsv->to_halves);
     shader_close(vsv->resample);
     for (int i = 0; i < VSV_SCANS; i++)
@@ -83,6 +91,8 @@ void vsv_aim(Vsv *vsv, const EpipolarFrame *frame, const EpipolarRange *range, c
 {
     vsv->frame = *frame;
     vsv->range = *range;
+    if (vsv_spreads(&vsv->settings))
+        spread_even(vsv->spread, range->phi);
     if (strcmp(vsv->settings.slices, "pixel") != 0)
         return;
     int needed;
@@ -114,6 +124,7 @@ void vsv_bind(const Vsv *vsv, const Shader *shader)
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, vsv->first);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, vsv->borders);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vsv->slices);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, vsv->spread);
     gl.BindImageTexture(4, vsv->texels, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32UI);
     epipolar_set(shader, &vsv->frame, &vsv->range);
 }

@@ -14,7 +14,7 @@
 typedef struct VsvSettings {
     int alpha, theta, phi; // voxels
     const char *scan;      // columns logstep
-    const char *warp;      // of φ: even square
+    const char *warp;      // of φ: even square borders
     const char *slices;    // of θ: uniform pixel
     const char *shape;     // of a point light's map: cube paraboloid
 } VsvSettings;
@@ -28,6 +28,7 @@ typedef struct Vsv {
     size_t bytes;       // of all levels
     LightKind kind;     // of the light's map
     GLuint voxels, texels, single, first, slices, borders; // voxels as RGBA32UI: texels; as R32UI: single
+    GLuint spread;                                         // of φ, by its borders
     GLuint halves;                                         // of the paraboloids
     Shader *to_halves, *resample, *scan[VSV_SCANS];
     EpipolarFrame frame;
@@ -63,6 +64,8 @@ typedef struct QueryView {
 } QueryView;
 // For a shader that voxelizes (includes voxels.glsl) or asks (query.glsl): the volume's buffers and uniforms.
 void vsv_bind(const Vsv *vsv, const Shader *shader);
+// Whether φ is spread by a table.
+bool vsv_spreads(const VsvSettings *settings);
 // Definitions that all of them are compiled with; the caller frees them.
 char *vsv_definitions(const VsvSettings *settings);
 

@@ -14,9 +14,11 @@
 #ifndef EPIPOLE_AT_INFINITY
 #define EPIPOLE_AT_INFINITY 0
 #endif
-// How φ is spread over the grid: evenly, or as the square.
+// How φ is spread over the grid: evenly, as the square, or by a table (densely where shadows have borders).
 #define WARP_EVEN 0
 #define WARP_SQUARE 1
+#define WARP_TABLE 2
+#define WARP_STEPS 256 // of φ, by which the table is made
 #ifndef WARP
 #define WARP WARP_EVEN
 #endif
@@ -31,6 +33,10 @@ uniform vec3 epipolar_least, epipolar_span;             // what the grid covers 
 uniform ivec3 epipolar_count;                           // voxels along (α, θ, φ)
 #if THETA_TABLE
 layout(std430, binding = 3) readonly buffer ThetaTable { float theta_border[]; }; // rising from 0 to 1, epipolar_count.y + 1 of them
+#endif
+
+#if WARP == WARP_TABLE
+layout(std430, binding = 7) readonly buffer WarpTable { float warp_border[]; }; // rising from 0 to 1 over a row's bytes, whose voxels are of one width
 #endif
 
 const float EPIPOLAR_PI = 3.14159265;
@@ -105,6 +111,17 @@ float epipolar_phi_place(float phi)
     float u = (phi - epipolar_least.z) / epipolar_span.z;
 #if WARP == WARP_SQUARE
     u = sqrt(max(u, 0.0));
+#elif WARP == WARP_TABLE
+    int below = 0, above = epipolar_count.z / 8;
+    u = max(u, 0.0);
+    for (int step = 0; step < 7; step++) { // halves up to 128 bytes
+        int middle = (below + above) / 2;
+        bool beyond = warp_border[middle] > u;
+        above = beyond ? middle : above;
+        below = beyond ? below : middle;
+    }
+    float inside = clamp((u - warp_border[below]) / (warp_border[below + 1] - warp_border[below]), 0.0, 1.0);
+    u = (float(below) + inside) * 8.0 / float(epipolar_count.z);
 #endif
     return u * float(epipolar_count.z);
 }
@@ -114,6 +131,9 @@ float epipolar_phi_at(float place)
     float u = place / float(epipolar_count.z);
 #if WARP == WARP_SQUARE
     u *= u;
+#elif WARP == WARP_TABLE
+    int byte = clamp(int(place / 8.0), 0, epipolar_count.z / 8 - 1);
+    u = mix(warp_border[byte], warp_border[byte + 1], place / 8.0 - float(byte));
 #endif
     return epipolar_least.z + u * epipolar_span.z;
 }
