@@ -63,12 +63,13 @@ void ray_clip_cone(inout Ray ray)
 }
 //]
 
-Ray ray_of(ivec2 pixel)
+// The ray in this direction that a surface ends at `end`.
+Ray ray_along(vec3 direction, float end)
 {
     Ray ray;
-    ray.direction = camera_ray((vec2(pixel) + 0.5) / vec2(imageSize(airlight)));
+    ray.direction = direction;
     ray.from = 0.0;
-    ray.to = imageLoad(distances, pixel).x;
+    ray.to = end;
     float least = AIRLIGHT_FAR; // the least extinction of a channel that scatters at all
     for (int k = 0; k < 3; k++)
         least = scattering[k] > 0.0 ? min(least, extinction[k]) : least;
@@ -94,6 +95,11 @@ Ray ray_of(ivec2 pixel)
         ray.to = max(last, 0.0);
     }
     return ray;
+}
+
+Ray ray_of(ivec2 pixel)
+{
+    return ray_along(camera_ray((vec2(pixel) + 0.5) / vec2(imageSize(airlight))), imageLoad(distances, pixel).x);
 }
 
 // Whether to go on: the pixel is in the picture, and (nothing needless) light can be on its ray.
