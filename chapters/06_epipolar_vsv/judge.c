@@ -67,6 +67,9 @@ const RunRow judge_sweep[] = {
     {"prefix", NULL, "method=map integral=prefix filter=epipolar", NULL},
     {"prefix", NULL, "method=map integral=prefix filter=epipolar warp=square", NULL},
     {"prefix", NULL, "method=map integral=prefix filter=epipolar alpha=256 theta=512", NULL},
+    {"sparse", NULL, "method=map integral=sparse", NULL},
+    {"sparse", NULL, "method=map integral=sparse alpha=256", NULL},
+    {"sparse", NULL, "method=map integral=sparse alpha=256 theta=512", NULL},
     {"map", NULL, "method=map scan=logstep", NULL},
     {"conservative", NULL, "method=conservative", NULL},
     // Embree's rays at the same angles, and at ever fewer: the fewest that are as near to the truth as the volume make the honest comparison.
