@@ -91,8 +91,8 @@ static void blend_pixels(const Airlight *airlight, const GBuffer *gbuffer, GLuin
     gl_framebuffer_delete(&framebuffer);
 }
 
-void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera *camera, const Scene *scene,
-                  const Light *light, const DepthMap *map, GLuint picture)
+void airlight_bind(const Airlight *airlight, const GBuffer *gbuffer, const Camera *camera, const Scene *scene,
+                   const Light *light, const DepthMap *map, GLuint picture)
 {
     const Shader *shader = airlight->shader[map->kind];
     const vec3 eye_from_origin = camera->eye - map->origin, scattering = scene->medium.scattering;
@@ -119,6 +119,12 @@ void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera
     shader_set_float(shader, "rayleigh_share", airlight->settings.rayleigh_share);
     shader_set_int(shader, "steps", airlight->settings.steps);
     shader_set_uint(shader, "seed", airlight->settings.seed);
+}
+
+void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera *camera, const Scene *scene,
+                  const Light *light, const DepthMap *map, GLuint picture)
+{
+    airlight_bind(airlight, gbuffer, camera, scene, light, map, picture);
     if (airlight->drawn)
         blend_pixels(airlight, gbuffer, picture);
     else

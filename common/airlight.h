@@ -51,6 +51,9 @@ void airlight_close(Airlight *airlight);
 // Add one light's airlight to an RGBA32F picture, W/(sr·m²). The G-buffer says where each ray ends.
 void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera *camera, const Scene *scene,
                   const Light *light, const DepthMap *map, GLuint picture);
+// All that airlight_add sets before it draws: for a chapter's own passes over something else than pixels.
+void airlight_bind(const Airlight *airlight, const GBuffer *gbuffer, const Camera *camera, const Scene *scene,
+                   const Light *light, const DepthMap *map, GLuint picture);
 // Since the last call: rays that cannot meet light, and lookups in depth maps; 0 unless settings.count.
 void airlight_counts(const Airlight *airlight, uint32_t *missed_rays, uint32_t *lookups);
 

@@ -6,6 +6,7 @@
 #define GL_FUNCTIONS(X) \
     X(AttachShader, ATTACHSHADER) \
     X(BeginQuery, BEGINQUERY) \
+    X(BindBuffer, BINDBUFFER) \
     X(BindBufferBase, BINDBUFFERBASE) \
     X(BindBufferRange, BINDBUFFERRANGE) \
     X(BindFramebuffer, BINDFRAMEBUFFER) \

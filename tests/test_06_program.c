@@ -52,6 +52,11 @@ Test(epipolar_program, empty_rows_and_words_behind_the_end)
     cr_assert(count(plans.fires, "airlight", "lookups=") < count(plans.all, "airlight", "lookups="), "%s\n%s",
               plans.fires, plans.all);
     plans_free(plans);
+    plans = check_left_out("--scene stage --set integral=sparse",
+                           "--scene stage --set integral=sparse --set light_position=0.9,1.6,-2.5", NULL);
+    cr_assert(count(plans.fires, "airlight", "lookups=") < count(plans.all, "airlight", "lookups="), "%s\n%s",
+              plans.fires, plans.all);
+    plans_free(plans);
 }
 
 // A light beside the picture: most planes through it and the eye miss the picture. At the picture's centre none does.

@@ -19,7 +19,7 @@ static const RunParameter parameters[] = {
     {.name = "range", .kind = RUN_CHOICE, .choices = "seen full", .shows = "what the grid covers: what the picture shows, or all angles"},
     {.name = "shape", .kind = RUN_CHOICE, .choices = "cube paraboloid", .shows = "map: of a point light, six squares or two paraboloids"},
     {.name = "scan", .kind = RUN_CHOICE, .choices = "columns logstep", .shows = "how the shadow behind a voxel is found"},
-    {.name = "integral", .kind = RUN_CHOICE, .choices = "runs riemann factored prefix", .shows = "airlight from bits: closed forms of lit runs, a sum over bits, or over slices of bits; or sums up to each word, made for all view rays of the grid"},
+    {.name = "integral", .kind = RUN_CHOICE, .choices = "runs riemann factored prefix sparse", .shows = "airlight from bits: closed forms of lit runs, a sum over bits, or over slices of bits; or sums up to each word, made for all view rays of the grid; or runs of the grid's view rays alone, and pixels between them"},
     {.name = "slice", .kind = RUN_CHOICE, .choices = "8 4 16 32", .shows = "factored: bits that share one evaluation of what is smooth"},
     {.name = "filter", .kind = RUN_CHOICE, .choices = "none epipolar", .shows = "rows that a pixel asks: the nearest, or four over its own width (prefix: the four about it, weighted)"},
     {.name = "texture", .kind = RUN_CHOICE, .choices = "none window", .shows = "what the light shines through"},

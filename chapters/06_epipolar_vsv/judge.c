@@ -77,6 +77,9 @@ const RunRow judge_sweep[] = {
     {"prefix", NULL, "method=map integral=prefix filter=epipolar warp=square", NULL},
     {"prefix", NULL, "method=map integral=prefix filter=epipolar warp=borders", NULL},
     {"prefix", NULL, "method=map integral=prefix filter=epipolar alpha=256 theta=512", NULL},
+    {"sparse", NULL, "method=map integral=sparse", NULL},
+    {"sparse", NULL, "method=map integral=sparse alpha=256", NULL},
+    {"sparse", NULL, "method=map integral=sparse alpha=256 theta=512", NULL},
     {"map", NULL, "method=map scan=logstep", NULL},
     // What the figures of speed are of: --row runs,totals,rays,factored.
     {"runs", NULL, "method=map integral=runs", NULL},

@@ -8,7 +8,7 @@
 static int integral_number(const char *integral)
 {
     static const char *const names[] = {"runs", "riemann", "factored", "march"};
-    if (strcmp(integral, "prefix") == 0)
+    if (strcmp(integral, "prefix") == 0 || strcmp(integral, "sparse") == 0)
         return 0; // where sums are of no use, runs are
     for (int i = 0; i < 4; i++)
         if (strcmp(names[i], integral) == 0)
@@ -51,6 +51,9 @@ Query query_open(const QuerySettings *settings, const AirlightSettings *airlight
     query.prefixed = strcmp(settings->integral, "prefix") == 0;
     if (query.prefixed)
         query.prefix = prefix_open(airlight, volume, maps, map_count, settings->filtered);
+    query.sparse_rows = strcmp(settings->integral, "sparse") == 0;
+    if (query.sparse_rows)
+        query.sparse = sparse_open(airlight, volume, maps, map_count);
     free(spread);
     free(definitions);
     return query;
@@ -65,6 +68,7 @@ void query_close(Query *query)
     airlight_close(&query->surface);
     airlight_close(&query->beyond);
     prefix_close(&query->prefix);
+    sparse_close(&query->sparse);
     gl_buffer_delete(&query->phi);
     gl_buffer_delete(&query->weight);
 }
@@ -126,12 +130,18 @@ void query_prepare(const Query *query, const Vsv *vsv, const QueryView *view)
 
 const Airlight *query_shader(const Query *query, const Vsv *vsv, const Light *light)
 {
+    if (query->sparse_rows && sparse_can(vsv, light))
+        return &query->sparse.pixels;
     return query_prepares(query, vsv, light) ? prefix_shader(&query->prefix, vsv, light) : &query->airlight;
 }
 
 void query_airlight(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
 {
     const Airlight *shader = query_shader(query, vsv, view->light);
+    if (shader == &query->sparse.pixels) {
+        sparse_airlight(&query->sparse, vsv, view, picture);
+        return;
+    }
     if (query_prepares(query, vsv, view->light))
         prefix_bind(&query->prefix, vsv, view);
     ask(shader, vsv, view, picture);

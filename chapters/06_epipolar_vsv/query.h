@@ -3,22 +3,23 @@
 #define QUERY_H
 
 #include "prefix.h"
+#include "sparse.h"
 
 // Shaders that start from common/airlight_ray.glsl and 06_epipolar_vsv/query.glsl, for all of a scene's lights.
 typedef struct Query {
     Airlight airlight, range, borders, counts, surface, beyond;
     Prefix prefix;
-    bool textured, prefixed;
+    Sparse sparse;
+    bool textured, prefixed, sparse_rows;
     GLuint phi;    // least and most; the nearest surface
     GLuint weight; // of borders
 } Query;
 typedef struct QuerySettings {
-    const char
-        *integral; // runs riemann factored prefix; march: no volume is asked, but the map, `steps` times
-    int slice;     // factored: voxels that share one evaluation of what is smooth
-    bool filtered; // four rows a pixel instead of the nearest
-    bool textured; // the light shines through a window
-    bool rays;     // the scene itself will be asked: query_beyond
+    const char *integral; // runs riemann factored prefix sparse; march: the map, `steps` times
+    int slice;            // factored: voxels that share one evaluation of what is smooth
+    bool filtered;        // four rows a pixel instead of the nearest
+    bool textured;        // the light shines through a window
+    bool rays;            // the scene itself will be asked: query_beyond
 } QuerySettings;
 // `airlight`: as for common/airlight.h, whose method does not matter.
 Query query_open(const QuerySettings *settings, const AirlightSettings *airlight, const VsvSettings *volume,

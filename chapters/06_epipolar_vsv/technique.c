@@ -12,8 +12,8 @@ static void check_settings(const Run *run, const Technique *technique)
     if (window && technique->brute && !run_chosen(run, "method", "equiangular"))
         fail_request("--set method=%s: knows no texture; of brute force only equiangular does",
                      run_choice(run, "method"));
-    if (window && !technique->brute &&
-        (run_chosen(run, "integral", "runs") || run_chosen(run, "integral", "prefix")))
+    if (window && !technique->brute && !run_chosen(run, "integral", "riemann") &&
+        !run_chosen(run, "integral", "factored"))
         fail_request("--set texture=window: integral=%s knows no texture; riemann and factored do",
                      run_choice(run, "integral"));
 }

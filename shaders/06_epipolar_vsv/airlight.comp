@@ -10,60 +10,17 @@
 #define FACTORED 2
 
 //[border
-// φ of a border between voxels, and how far along the ray it lies; the outermost borders are the ends of the ray's stretch. The grid ends where all light rays
-// miss the scene, but the stretch may go on, for a directional light without end: a run takes it along, a sum of samples must not.
+// φ of a border between voxels; the outermost borders are the ends of the ray's stretch. The grid ends where all light rays miss the scene, but the stretch may go
+// on, for a directional light without end: a run takes it along, a sum of samples must not.
 float border_phi(Query query, int place)
 {
     float end = max(min(query.to, epipolar_phi_at(float(epipolar_count.z))), query.from);
     return place <= query.first ? query.from : place >= query.last ? end : clamp(epipolar_phi_at(float(place)), query.from, end);
 }
-
-float border_along(Ray ray, Query query, int place)
-{
-    float along = clamp(epipolar_along(query.alpha, epipolar_phi_at(float(place))), ray.from, ray.to);
-    return place <= query.first ? ray.from : place >= query.last ? ray.to : along;
-}
 //]
 
 #if METHOD == RUNS
-//[runs
-// The next voxel at or after `place` that is lit, or not; query.last where there is none. A word is looked at whole.
-int next_voxel(Query query, Row row, int place, bool lit, inout uint fetches)
-{
-    int from = place;
-#if EVERYTHING
-    int last = epipolar_count.z; // also what lies behind the ray's end, for nothing
-#else
-    if (row.lit)
-        return lit ? place : query.last;
-    int last = query.last;
-#endif
-    bool found = place >= last;
-    while (!found) {
-        uint word = query_texel(row, place >> 7)[(place >> 5) & 3];
-        fetches++;
-        uint rest = (lit ? ~word : word) & (~0u << (place & 31));
-        place = rest != 0u ? (place & ~31) + findLSB(rest) : (place & ~31) + 32;
-        found = rest != 0u || place >= last;
-    }
-#if EVERYTHING
-    place = row.lit ? lit ? from : query.last : place;
-#endif
-    return min(place, query.last);
-}
-
-vec3 integral_of(Ray ray, Query query, Row row, inout uint fetches)
-{
-    vec3 sum = vec3(0.0);
-    int place = row.dark && EVERYTHING == 0 ? query.last : next_voxel(query, row, query.first, true, fetches);
-    while (place < query.last) {
-        int end = next_voxel(query, row, place, false, fetches);
-        sum += stretch(ray, border_along(ray, query, place), border_along(ray, query, end));
-        place = next_voxel(query, row, end, true, fetches);
-    }
-    return sum;
-}
-//]
+#include "06_epipolar_vsv/runs.glsl"
 #else
 //[riemann
 // Voxels that share one evaluation of what is smooth: one each for the sum of equation 5. Of its N + 1 terms, from 0 to N, the last is one too many: N steps

@@ -109,7 +109,7 @@ void main()
 #if MAP_KIND == DIRECTIONAL
     Ray ray = ray_of(pixel);
 #else
-    Ray ray = ray_to_surface(pixel);
+    Ray ray = ray_to_surface(ray_direction(pixel), imageLoad(distances, pixel).x);
 #endif
     if (!ray_needed(pixel, ray))
         return;

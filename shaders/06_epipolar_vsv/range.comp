@@ -31,7 +31,7 @@ void main()
     float least = 1.0 / 0.0, most = 0.0, surface = 1.0 / 0.0;
     for (int i = 0; i < ROWS; i++) { // what an invocation tells takes as long as a ray
         ivec2 pixel = ivec2(gl_GlobalInvocationID.x, ROWS * int(gl_GlobalInvocationID.y) + i);
-        Ray ray = ray_to_surface(pixel);
+        Ray ray = ray_to_surface(ray_direction(pixel), imageLoad(distances, pixel).x);
         vec2 alpha = vec2(length(cross(epipolar_axis, ray.direction)), dot(epipolar_axis, ray.direction));
         float to = epipolar_phi(alpha, min(ray.to, absorbed_from(ray)));
         bool seen = all(lessThan(pixel, imageSize(distances))), lit = seen && ray.inside > 0.0;

@@ -70,13 +70,13 @@ void ray_clip_cone(inout Ray ray)
 }
 //]
 
-// The pixel's ray up to the first surface, as far as light can be on it.
-Ray ray_to_surface(ivec2 pixel)
+// The ray in this direction up to the surface at `end`, as far as light can be on it.
+Ray ray_to_surface(vec3 direction, float end)
 {
     Ray ray;
-    ray.direction = camera_ray((vec2(pixel) + 0.5) / vec2(imageSize(distances)));
+    ray.direction = direction;
     ray.from = 0.0;
-    ray.to = imageLoad(distances, pixel).x;
+    ray.to = end;
     ray.nearest = ray.foot = 0.0;
 #if MAP_KIND != DIRECTIONAL
     airlight_from_vectors(-eye_from_origin, ray.direction, ray.nearest, ray.foot);
@@ -93,9 +93,9 @@ Ray ray_to_surface(ivec2 pixel)
 }
 
 // And before all light is absorbed.
-Ray ray_of(ivec2 pixel)
+Ray ray_along(vec3 direction, float end)
 {
-    Ray ray = ray_to_surface(pixel);
+    Ray ray = ray_to_surface(direction, end);
     float least = AIRLIGHT_FAR; // the least extinction of a channel that scatters at all
     for (int k = 0; k < 3; k++)
         least = scattering[k] > 0.0 ? min(least, extinction[k]) : least;
@@ -114,6 +114,16 @@ Ray ray_of(ivec2 pixel)
         ray.to = max(last, 0.0);
     }
     return ray;
+}
+
+vec3 ray_direction(ivec2 pixel)
+{
+    return camera_ray((vec2(pixel) + 0.5) / vec2(imageSize(distances)));
+}
+
+Ray ray_of(ivec2 pixel)
+{
+    return ray_along(ray_direction(pixel), imageLoad(distances, pixel).x);
 }
 
 // Whether to go on: the pixel is in the picture, and (nothing needless) light can be on its ray.
