@@ -119,6 +119,7 @@ TOOLS   += $(BUILD)/report
 $(BUILD)/report: $(call objects,tests/report/*.c) $(BUILD)/libcommon.a
 	$(call LINK)
 $(BUILD)/only/test_report: | $(BUILD)/report
+$(BUILD)/only/test_speed: | $(BUILD)/speed
 -include $(patsubst %.c,$(OBJ)/%.c.d,$(REPORT))
 
 # The proof that gl and shader stand alone: nothing else is linked.

@@ -127,7 +127,7 @@ void main()
 #if ANY_RAY && MAP_KIND == DIRECTIONAL
     // No occluder reaches beyond the grid: there all is lit.
     float most = epipolar_least.z + epipolar_span.z, border = clamp(epipolar_along(alpha, most), ray.from, ray.to);
-
+    rest = stretch(ray, phi > most * (1.0 + 1e-5) ? border : ray.to, ray.to);
 #endif
 #if ANY_RAY && MAP_KIND != DIRECTIONAL
     sum *= inverse_distance(ray, turned);
