@@ -104,15 +104,19 @@ bool query_range(const Query *query, Vsv *vsv, const QueryView *view, bool cut, 
 
 void query_spread(const Query *query, const Vsv *vsv, const QueryView *view, GLuint picture)
 {
-    enum { RAYS = 64 }; // a side of the picture, about
-    const int side =
-        view->gbuffer->width > view->gbuffer->height ? view->gbuffer->width : view->gbuffer->height;
+    enum { RAYS = 64, GROUPS = RAYS / 8 }; // a side of the picture, about
+    const GBuffer *seen = view->gbuffer;
+    const int side = seen->width > seen->height ? seen->width : seen->height;
+    const Shader *shader = query->borders.shader[view->map->kind];
     const uint32_t none = 0;
     uint32_t weight[SPREAD_STEPS];
     gl.ClearNamedBufferData(query->weight, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, query->weight);
-    shader_set_int(query->borders.shader[view->map->kind], "stride", (side + RAYS - 1) / RAYS);
-    ask(&query->borders, vsv, view, picture);
+    vsv_bind(vsv, shader);
+    airlight_bind(&query->borders, seen, view->camera, view->scene, view->light, view->map, picture);
+    shader_set_int(shader, "stride", (side + RAYS - 1) / RAYS);
+    gl.DispatchCompute(GROUPS, GROUPS, 1);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     gl_buffer_read(query->weight, 0, sizeof weight, weight);
     spread_set(vsv->spread, vsv->range.phi, weight);
 }

@@ -11,7 +11,7 @@ uniform int stride; // pixels
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) * stride + stride / 2;
-    if (any(greaterThanEqual(pixel, imageSize(airlight))))
+    if (any(greaterThanEqual(pixel, imageSize(distances))))
         return;
     Ray ray = ray_of(pixel);
     Query query = query_of(ray);
