@@ -89,3 +89,22 @@ Test(sparse, a_light_at_the_eye)
     image_free(&exact);
     bench_close(&bench);
 }
+
+// Of sixteen rows few end as a pixel's ray does: most pixels ask for themselves, and get what runs of the same bits give; none stays dark.
+Test(sparse, what_no_row_speaks_for_asks_the_volume)
+{
+    Bench bench = sparse_bench("stage");
+    bench.settings.volume.alpha = bench.settings.volume.theta = 4;
+    Image sparse = bench_draw(&bench);
+    bench.settings.asked.integral = "runs";
+    Image runs = bench_draw(&bench);
+    int same = 0, dark = 0;
+    for (int i = 0; i < BENCH_SIDE * BENCH_SIDE; i++) {
+        same += fabsf(sparse.pixels[4 * i] - runs.pixels[4 * i]) <= 1e-5f * runs.pixels[4 * i];
+        dark += sparse.pixels[4 * i] == 0.0f && runs.pixels[4 * i] > 0.0f;
+    }
+    cr_assert(same > BENCH_SIDE * BENCH_SIDE / 4 && dark == 0, "%d as runs, %d dark", same, dark);
+    image_free(&sparse);
+    image_free(&runs);
+    bench_close(&bench);
+}
