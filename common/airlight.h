@@ -19,8 +19,8 @@ typedef struct AirlightSettings {
     bool exact;           // not they, but Airlight.reach: to tell their error from the method's own
     bool grey;            // extinction is the same in all channels: one exponential does for three
     bool count;           // lookups and rays left out are counted: costs time
-    // A chapter's own method: its compute shader, which starts from common/airlight_ray.glsl, METHOD in it, and an R32F image that it reads at
-    // binding 3. NULL: one of the methods above; 0: no image.
+    // A chapter's own method: its compute shader, or (.frag) its fragment shader, which starts from common/airlight_ray.glsl, METHOD in it, and an R32F image that
+    // it reads at binding 3. NULL: one of the methods above; 0: no image.
     const char *shader, *definitions; // more of them, or NULL
     int number;
     GLuint table;
@@ -41,7 +41,7 @@ typedef struct Airlight {
     Shader *shader[3]; // by DepthMap.kind; NULL: no such light
     GLuint no_table;   // one texel
     GLuint no_attributes;
-    bool drawn; // by a fragment shader, which the file's name tells
+    bool drawn; // by a fragment shader
     GLuint counters;
     AirlightReach reach; // settings.exact: of the light that is added next; not kept
 } Airlight;

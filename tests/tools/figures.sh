@@ -4,10 +4,10 @@
 #   sweep<TAB>options of the program          stability<TAB>options of the program
 #   NAME.png<TAB>options of build/figure, such as --metric missing --scene bunny
 #   passes<TAB>NAME.csv<TAB>options           what each pass costs, a row a line: its ms in the last of two frames (or as many as the options say) of --plan
-#                                             along --path light, where everything is built anew and shaders are warm. Rows of one NAME.csv follow each
-#                                             other. technique: without what all methods share; times, frame_times: how often it goes into the scene's first row
+#                                             along --path light, where everything is built anew and shaders are warm. Rows of one NAME.csv follow each other
 #   speed<TAB>NAME.csv<TAB>SCENES<TAB>options
 #                                             a sweep with these options of each of the scenes (BUILD/sweeps keeps them), and what build/speed makes of them all
+#   table<TAB>NAME.csv<TAB>COMMAND            what the command prints
 set -u
 build=$1 chapter=$2
 folder=chapters/$chapter
@@ -32,28 +32,21 @@ passes()
     {
         sed -n '/^#/!q; s/^# command: .*/# command: make figures/; p' "$folder/figures.csv"
         awk -F '\t' -v name="$name" '
-            BEGIN { split("depth_maps G-buffer surfaces deform attenuation sum all", names, " "); for (n in names) common[names[n]] = 1 }
             $1 == name {
                 row = $2 "," $3
                 if (!(row in seen)) { seen[row] = 1; order[++count] = row }
                 if (!($4 in column)) { column[$4] = 1; pass[++passes] = $4 }
                 ms[row, $4] = $5
-                if (!($4 in common)) technique[row] += $5
-                scene[row] = $2
-                if (!($2 in first)) first[$2] = row
             }
             END {
                 printf "scene,settings"
                 for (p = 1; p <= passes; p++) printf ",%s", pass[p]
-                print ",technique,times,frame_times"
+                print ""
                 for (r = 1; r <= count; r++) {
                     row = order[r]
-                    against = first[scene[row]]
                     printf "%s", row
                     for (p = 1; p <= passes; p++) printf (ms[row, pass[p]] > 0 ? ",%.4f" : ","), ms[row, pass[p]]
-                    printf ",%.4f", technique[row]
-                    printf (technique[row] > 0 ? ",%.4f" : ","), (technique[row] > 0 ? technique[against] / technique[row] : 0)
-                    printf (ms[row, "all"] > 0 ? ",%.4f\n" : ",\n"), (ms[row, "all"] > 0 ? ms[against, "all"] / ms[row, "all"] : 0)
+                    print ""
                 }
             }' "$rows"
     } >"$folder/$name.tmp" && mv "$folder/$name.tmp" "$folder/$name"
@@ -88,10 +81,16 @@ while IFS=$tab read -r what options <&3; do
             speed "${options%%"$tab"*}" "${rest%%"$tab"*}" "${rest#*"$tab"}" || { echo "figures: failed: $options" >&2; exit 1; }
             continue
             ;;
+        table)
+            command=${options#*"$tab"}
+            echo "  $command"
+            { sed -n "/^#/!q; s|^# command: .*|# command: $command|; p" "$folder/figures.csv"; sh -c "$command" </dev/null; } >"$folder/${options%%"$tab"*}" || { echo "figures: failed: $command" >&2; exit 1; }
+            continue
+            ;;
         sweep) command="$build/$chapter $options --sweep $folder/figures.csv" ;;
         stability) command="$build/$chapter $options --stability $folder/stability.csv" ;;
         *.png) command="$build/figure $folder/figures.csv $options $folder/pictures/$what" ;;
-        *) echo "figures: $list: sweep, stability, passes, speed or NAME.png begins a line, not $what" >&2; exit 1 ;;
+        *) echo "figures: $list: sweep, stability, passes, speed, table or NAME.png begins a line, not $what" >&2; exit 1 ;;
     esac
     echo "  $command"
     sh -c "$command" </dev/null || { echo "figures: failed: $command" >&2; exit 1; }

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Sizes that can be read: a file has at most 400 lines in all. Of code (blank lines and lines that are only comment are not counted, nor is the list of GL's
-# names) gl and shader together have fewer than 600 lines, all of common/ without the scene generators fewer than 6500. line_counts.sh [FOLDER]
+# names) gl and shader together have fewer than 600 lines, all of common/ without the scene generators fewer than 6600. line_counts.sh [FOLDER]
 set -eu
 cd "${1:-.}"
 awk '
@@ -15,9 +15,9 @@ END {
         if (name !~ /^scene_builtin/ && name != "gl_functions.h") common += code[file]
         if (name ~ /^(gl|shader)[_.]/ && name != "gl_functions.h") thin += code[file]
     }
-    printf "lines of code: gl and shader %d of 599, common without scene generators %d of 6499\n", thin, common
+    printf "lines of code: gl and shader %d of 599, common without scene generators %d of 6599\n", thin, common
     if (thin >= 600) { print "gl and shader have " thin " lines of code together; fewer than 600 are wanted"; bad = 1 }
-    if (common >= 6500) { print "common has " common " lines of code; fewer than 6500 are wanted"; bad = 1 }
+    if (common >= 6600) { print "common has " common " lines of code; fewer than 6600 are wanted"; bad = 1 }
     exit bad
 }' $(find common chapters shaders tests $(ls -d solutions 2>/dev/null || true) -type f \( -name '*.[ch]' -o -name '*.cpp' -o -name '*.sh' -o -name '*.awk' -o -name '*.glsl' -o -name '*.vert' \
     -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.tesc' -o -name '*.tese' \) | sort) </dev/null
