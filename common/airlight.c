@@ -1,6 +1,5 @@
 // airlight: see airlight.h.
 #include "airlight.h"
-#include "raster_internal.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -81,7 +80,10 @@ static void dispatch_pixels(const GBuffer *gbuffer, int rows)
 static void blend_pixels(const Airlight *airlight, const GBuffer *gbuffer, GLuint picture)
 {
     GLuint framebuffer = gl_framebuffer(.label = "airlight", .color = {picture});
-    raster_target(framebuffer, gbuffer->width, gbuffer->height);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.Viewport(0, 0, gbuffer->width, gbuffer->height);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Disable(GL_CULL_FACE);
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ONE);
     gl.BindVertexArray(airlight->no_attributes);

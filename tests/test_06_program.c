@@ -39,6 +39,17 @@ Test(epipolar_program, a_light_at_the_eye)
     outcome_free(&far);
 }
 
+// Brute force asks the map at each step, also where nothing casts: left undrawn, it would say that all is dark.
+Test(epipolar_program, brute_force_where_nothing_casts)
+{
+    Outcome steps = program("--scene mist --step airlight --set method=equiangular --set steps=256"),
+            runs = program("--scene mist --step airlight");
+    const ImageError error = image_compare(&steps.picture, &runs.picture);
+    cr_assert(error.nrmse < 0.01, "%g", error.nrmse);
+    outcome_free(&steps);
+    outcome_free(&runs);
+}
+
 // Word columns that nothing shades are not scanned; rows that are lit or dark throughout, and words behind a ray's end, are not fetched.
 Test(epipolar_program, empty_rows_and_words_behind_the_end)
 {

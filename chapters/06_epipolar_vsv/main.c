@@ -117,7 +117,8 @@ int main(int argc, char **argv)
             if (changed)
                 raster_view_aim(&view); // also where no map is drawn: its origin is the light's place
             if (run_pass_common(run, "depth maps",
-                                changed && lights > 0 && (clear || shown[PICTURE] || (asked && any_casts)),
+                                changed && lights > 0 &&
+                                    (clear || shown[PICTURE] || (asked && (any_casts || technique.brute))),
                                 lights == 0 ? NO_LIGHT
                                 : !changed  ? SAME_VIEW
                                 : asked     ? NO_CASTER
