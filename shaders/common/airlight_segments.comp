@@ -46,12 +46,12 @@ float map_load(Walk walk)
 #endif
 }
 
-// Clip [t, last] to where a + t·b >= 0.
-void walk_clip(inout Walk walk, float a, float b)
+// Clip [t, last] to where a + t·b >= 0. A ray that lies in the plane between two faces is 0 for both: `ours` says which has it.
+void walk_clip(inout Walk walk, float a, float b, bool ours)
 {
     float t = -a / b;
     walk.t = b > 0.0 ? max(walk.t, t) : walk.t;
-    walk.last = b < 0.0 ? min(walk.last, t) : b == 0.0 && a < 0.0 ? -1.0 : walk.last;
+    walk.last = b < 0.0 ? min(walk.last, t) : b == 0.0 && (a < 0.0 || (a == 0.0 && !ours)) ? -1.0 : walk.last;
 }
 
 //[start
@@ -63,11 +63,12 @@ Walk walk_start(Ray ray, int face)
     walk.along = on_map(face, ray.direction, 0.0);
     walk.t = ray.from;
     walk.last = ray.to;
-    // the face's four sides
-    walk_clip(walk, walk.at.z - walk.at.x, walk.along.z - walk.along.x);
-    walk_clip(walk, walk.at.z + walk.at.x, walk.along.z + walk.along.x);
-    walk_clip(walk, walk.at.z - walk.at.y, walk.along.z - walk.along.y);
-    walk_clip(walk, walk.at.z + walk.at.y, walk.along.z + walk.along.y);
+    // the face's four sides; of two faces the one whose axis comes first, as in cube_face
+    bool ours_x = FACES == 1 || face < 2, ours_y = FACES == 1 || face < 4;
+    walk_clip(walk, walk.at.z - walk.at.x, walk.along.z - walk.along.x, ours_x);
+    walk_clip(walk, walk.at.z + walk.at.x, walk.along.z + walk.along.x, ours_x);
+    walk_clip(walk, walk.at.z - walk.at.y, walk.along.z - walk.along.y, ours_y);
+    walk_clip(walk, walk.at.z + walk.at.y, walk.along.z + walk.along.y, ours_y);
     // x/z turns one way along a line
     vec2 turning = walk.along.xy * walk.at.z - walk.at.xy * walk.along.z;
     walk.step = ivec2(greaterThan(turning, vec2(0.0))) * 2 - 1;
