@@ -129,6 +129,9 @@ void truth_airlight(const TruthShadows *shadows, const Scene *scene, const Truth
 // first, which have the same rays as in the whole picture (image_every takes the same pixels of another); 1: all.
 Image truth_airlight_picture(const Scene *scene, const Camera *camera, int width, int height, int every,
                              const TruthPhase *phase, float ambient);
+// truth_airlight_picture, drawn anew by so many threads (0: one a core).
+Image truth_airlight_draw(const Scene *scene, const Camera *camera, int width, int height, int every,
+                          const TruthPhase *phase, float ambient, int threads);
 // Every which pixel tables of errors ask of a picture so high, so that the truth takes as long for a large one: all up to 511 rows, then some 256 rows.
 int truth_every(int height);
 

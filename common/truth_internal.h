@@ -38,9 +38,6 @@ void truth_run(void *(*work)(void *), void *shared, int threads);
 void truth_airlight_quiet(const TruthShadows *shadows, const Scene *scene, const TruthPhase *phase,
                           const double origin[3], const double direction[3], double length,
                           double radiance[3]);
-// truth_airlight_picture, drawn anew by so many threads (0: one a core).
-Image truth_airlight_draw(const Scene *scene, const Camera *camera, int width, int height, int every,
-                          const TruthPhase *phase, float ambient, int threads);
 
 // --- light
 

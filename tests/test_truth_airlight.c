@@ -1,5 +1,5 @@
 // truth: the lit stretches of a ray against shadows drawn by hand and against Embree; the integral against closed forms.
-#include "truth_internal.h"
+#include "truth.h"
 
 #include <criterion/criterion.h>
 #include <stdlib.h>
