@@ -40,8 +40,9 @@ static float *distances(const Scene *scene)
     const mat4 turn = camera_view(scene->camera);
     const float half = tanf(0.5f * scene->camera.vertical_fov_rad);
     for (int i = 0; i < SIDE * SIDE; i++) {
+        const int row = i / SIDE;
         const float u = half * (2 * ((float)(i % SIDE) + 0.5f) / SIDE - 1),
-                    v = half * (2 * ((float)(i / SIDE) + 0.5f) / SIDE - 1);
+                    v = half * (2 * ((float)row + 0.5f) / SIDE - 1);
         vec3 way = {0};
         for (int k = 0; k < 3; k++)
             way[k] = u * turn.column[k][0] + v * turn.column[k][1] - turn.column[k][2];
@@ -142,8 +143,8 @@ Test(vsv_rays, are_as_many_as_lie_before_the_first_surface)
     const mat4 turn = camera_view(bench.scene->camera);
     const double half = tan(0.5 * (double)bench.scene->camera.vertical_fov_rad);
     for (int i = 0; i < SIDE * SIDE; i++) {
-        const double u = half * (2 * (i % SIDE + 0.5) / SIDE - 1),
-                     v = half * (2 * (i / SIDE + 0.5) / SIDE - 1);
+        const int row = i / SIDE;
+        const double u = half * (2 * (i % SIDE + 0.5) / SIDE - 1), v = half * (2 * (row + 0.5) / SIDE - 1);
         double along = 0, length = 0;
         for (int k = 0; k < 3; k++) {
             const double way =
