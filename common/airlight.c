@@ -22,11 +22,6 @@ int airlight_phase(const char *name)
     return index_of(phases, name, "phase function");
 }
 
-static int rows_of(const AirlightSettings *settings)
-{
-    return settings->rows > 0 ? settings->rows : 1;
-}
-
 Airlight airlight_open(const AirlightSettings *settings, const DepthMap *maps, size_t map_count)
 {
     Airlight airlight = {.settings = *settings};
@@ -46,12 +41,12 @@ Airlight airlight_open(const AirlightSettings *settings, const DepthMap *maps, s
         if (airlight.shader[kind])
             continue;
         // the order of LightKind; in the shaders: CUBE 0, SPOT 1, DIRECTIONAL 2
-        char *definitions = text_format(
-            "METHOD %d\nVARIANT %d\nPHASE %d\nAIRLIGHT_NODES %d\nMAP_KIND "
-            "%d\nSHADOWED %d\nEXACT %d\nCOUNT %d\nGREY %d\nRAY_FRAGMENT %d\nROWS %d\n%s",
-            method, index_of(variants, settings->variant, "variant"), airlight_phase(settings->phase),
-            settings->nodes, kind, settings->shadowed, settings->exact, settings->count, settings->grey,
-            airlight.drawn, rows_of(settings), settings->definitions ? settings->definitions : "");
+        char *definitions = text_format("METHOD %d\nVARIANT %d\nPHASE %d\nAIRLIGHT_NODES %d\nMAP_KIND "
+                                        "%d\nSHADOWED %d\nEXACT %d\nCOUNT %d\nGREY %d\nRAY_FRAGMENT %d\n%s",
+                                        method, index_of(variants, settings->variant, "variant"),
+                                        airlight_phase(settings->phase), settings->nodes, kind,
+                                        settings->shadowed, settings->exact, settings->count, settings->grey,
+                                        airlight.drawn, settings->definitions ? settings->definitions : "");
         airlight.shader[kind] = airlight.drawn
                                     ? shader_open("airlight", definitions, "common/fullscreen.vert", file)
                                     : shader_open("airlight", definitions, file);
@@ -70,10 +65,9 @@ void airlight_close(Airlight *airlight)
     *airlight = (Airlight){0};
 }
 
-static void dispatch_pixels(const GBuffer *gbuffer, int rows)
+static void dispatch_pixels(const GBuffer *gbuffer)
 {
-    const int high = 8 * rows;
-    gl.DispatchCompute((GLuint)(gbuffer->width + 7) / 8, (GLuint)((gbuffer->height + high - 1) / high), 1);
+    gl.DispatchCompute((GLuint)(gbuffer->width + 7) / 8, (GLuint)(gbuffer->height + 7) / 8, 1);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
@@ -130,7 +124,7 @@ void airlight_add(const Airlight *airlight, const GBuffer *gbuffer, const Camera
     if (airlight->drawn)
         blend_pixels(airlight, gbuffer, picture);
     else
-        dispatch_pixels(gbuffer, rows_of(&airlight->settings));
+        dispatch_pixels(gbuffer);
 }
 
 void airlight_counts(const Airlight *airlight, uint32_t *missed_rays, uint32_t *lookups)
@@ -215,7 +209,7 @@ void airlight_haze_attenuate(const AirlightHaze *haze, const GBuffer *gbuffer, c
     shader_set_vec3(haze->attenuate, "eye_from_light", (const float *)&eye_from_light);
     shader_set_float(haze->attenuate, "light_leg", leg ? 1.0f : 0.0f);
     shader_set_vec3(haze->attenuate, "extinction", (const float *)&extinction);
-    dispatch_pixels(gbuffer, 1);
+    dispatch_pixels(gbuffer);
 }
 
 void airlight_sum(const AirlightHaze *haze, const GBuffer *gbuffer, float surface_share, GLuint surfaces,
@@ -226,5 +220,5 @@ void airlight_sum(const AirlightHaze *haze, const GBuffer *gbuffer, float surfac
     gl.BindImageTexture(2, airlight, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
     shader_use(haze->add);
     shader_set_float(haze->add, "surface_share", surface_share);
-    dispatch_pixels(gbuffer, 1);
+    dispatch_pixels(gbuffer);
 }

@@ -24,7 +24,6 @@ typedef struct AirlightSettings {
     const char *shader, *definitions; // more of them, or NULL
     int number;
     GLuint table;
-    int rows; // pixels above each other that one invocation of a chapter's compute shader does, ROWS in it; 0: one
 } AirlightSettings;
 // PHASE in shaders/common/phase.glsl; another name ends the program.
 int airlight_phase(const char *name);

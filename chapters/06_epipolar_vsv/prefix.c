@@ -92,11 +92,6 @@ void prefix_close(Prefix *prefix)
     free(prefix->of);
 }
 
-bool prefix_can(const Vsv *vsv, const Light *light)
-{
-    return vsv->frame.at_infinity || vsv->frame.distance > light->radius;
-}
-
 static void dispatch(const Shader *shader, int wide, int high)
 {
     shader_use(shader);

@@ -24,8 +24,6 @@ Prefix prefix_open(const AirlightSettings *settings, const VsvSettings *volume, 
                    size_t map_count, bool interpolated);
 void prefix_close(Prefix *prefix);
 
-// Whether a light and an eye can be asked so: within the light's own radius of the eye, φ tells the points of a ray apart no more.
-bool prefix_can(const Vsv *vsv, const Light *light);
 // From a scanned volume: weights, then sums.
 void prefix_weigh(const Prefix *prefix, const Vsv *vsv, const QueryView *view);
 void prefix_sum(const Prefix *prefix, const Vsv *vsv, const QueryView *view);

@@ -33,9 +33,7 @@ Query query_open(const QuerySettings *settings, const AirlightSettings *airlight
     query.airlight = airlight_open(&with, maps, map_count);
     with.count = false;
     with.shader = "06_epipolar_vsv/range.comp";
-    with.rows = 8;
     query.range = airlight_open(&with, maps, map_count);
-    with.rows = 1;
     if (vsv_spreads(volume)) {
         query.weight = gl_buffer(.label = "weight of borders", .bytes = SPREAD_STEPS * sizeof(uint32_t));
         with.shader = "06_epipolar_vsv/borders.comp";
@@ -123,7 +121,7 @@ void query_spread(const Query *query, const Vsv *vsv, const QueryView *view, GLu
 
 bool query_prepares(const Query *query, const Vsv *vsv, const Light *light)
 {
-    return query->prefixed && prefix_can(vsv, light);
+    return query->prefixed && vsv_apart(vsv, light);
 }
 
 void query_prepare(const Query *query, const Vsv *vsv, const QueryView *view)
@@ -134,7 +132,7 @@ void query_prepare(const Query *query, const Vsv *vsv, const QueryView *view)
 
 const Airlight *query_shader(const Query *query, const Vsv *vsv, const Light *light)
 {
-    if (query->sparse_rows && sparse_can(vsv, light))
+    if (query->sparse_rows && vsv_apart(vsv, light))
         return &query->sparse.pixels;
     return query_prepares(query, vsv, light) ? prefix_shader(&query->prefix, vsv, light) : &query->airlight;
 }

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+enum { SPARSE_WIDE = 256 }; // groups in a row of the list's dispatch; a power of 2
+
 static Airlight open_pass(const AirlightSettings *with, const char *shader, const DepthMap *maps,
                           size_t map_count)
 {
@@ -14,7 +16,9 @@ static Airlight open_pass(const AirlightSettings *with, const char *shader, cons
 Sparse sparse_open(const AirlightSettings *settings, const VsvSettings *volume, const DepthMap *maps,
                    size_t map_count)
 {
-    char *definitions = vsv_definitions(volume);
+    char *spread = vsv_definitions(volume);
+    char *definitions = text_format("%s\nSPARSE_WIDE %d", spread, SPARSE_WIDE);
+    free(spread);
     AirlightSettings with = *settings;
     with.variant = "intervals"; // the brute force's; of no meaning here
     with.definitions = definitions;
@@ -38,11 +42,6 @@ void sparse_close(Sparse *sparse)
     gl_texture_delete(&sparse->row_picture);
 }
 
-bool sparse_can(const Vsv *vsv, const Light *light)
-{
-    return vsv->frame.at_infinity || vsv->frame.distance > light->radius;
-}
-
 static void bind(const Sparse *sparse, const Airlight *pass, const Vsv *vsv, const QueryView *view,
                  GLuint picture)
 {
@@ -62,7 +61,7 @@ static void dispatch(int wide, int high)
 void sparse_airlight(const Sparse *sparse, const Vsv *vsv, const QueryView *view, GLuint picture)
 {
     const int width = view->gbuffer->width, height = view->gbuffer->height;
-    const uint32_t start[4] = {256, 0, 1, 0}; // groups: SPARSE_WIDE × none yet; and no pixels
+    const uint32_t start[4] = {SPARSE_WIDE, 0, 1, 0}; // groups, none yet; and no pixels
     GLuint list = gl_buffer(.label = "pixels that ask for themselves",
                             .bytes = sizeof start + (size_t)width * (size_t)height * sizeof(uint32_t));
     gl.NamedBufferSubData(list, 0, sizeof start, start);

@@ -14,8 +14,6 @@ Sparse sparse_open(const AirlightSettings *settings, const VsvSettings *volume, 
                    size_t map_count);
 void sparse_close(Sparse *sparse);
 
-// Whether an eye and a light can be asked so: within the light's own radius of the eye, φ tells the points of a ray apart no more.
-bool sparse_can(const Vsv *vsv, const Light *light);
 // Add the light's airlight, from a scanned volume.
 void sparse_airlight(const Sparse *sparse, const Vsv *vsv, const QueryView *view, GLuint picture);
 

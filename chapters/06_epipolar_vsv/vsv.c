@@ -118,6 +118,11 @@ void vsv_light_all(const Vsv *vsv)
     fill(vsv->slices, (uint32_t)vsv->settings.alpha);
 }
 
+bool vsv_apart(const Vsv *vsv, const Light *light)
+{
+    return vsv->frame.at_infinity || vsv->frame.distance > light->radius;
+}
+
 void vsv_bind(const Vsv *vsv, const Shader *shader)
 {
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, vsv->voxels);

@@ -62,6 +62,8 @@ typedef struct QueryView {
     const Camera *camera;
     const GBuffer *gbuffer;
 } QueryView;
+// Whether φ tells the points of view rays apart, as sums and spans over it take for granted: not within the light's own radius of the eye.
+bool vsv_apart(const Vsv *vsv, const Light *light);
 // For a shader that voxelizes (includes voxels.glsl) or asks (query.glsl): the volume's buffers and uniforms.
 void vsv_bind(const Vsv *vsv, const Shader *shader);
 // Whether φ is spread by a table.

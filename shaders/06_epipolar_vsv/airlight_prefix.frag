@@ -34,16 +34,11 @@ Corners corners_of(vec2 place) // (α, θ)
 {
     Corners corners;
 #if METHOD == LINEAR
-    place -= 0.5; // a row stands for the middle of its voxels
-    vec2 below = floor(place), beyond = place - below;
-    bool round_trip = epipolar_span.y > 2.0 * EPIPOLAR_PI - 1e-4; // the first slice follows the last
-    ivec2 last = epipolar_count.xy - 1, least = max(ivec2(below), ivec2(0)), most = min(ivec2(below) + 1, last);
-    least.y = round_trip && below.y < 0.0 ? last.y : least.y;
-    most.y = round_trip && int(below.y) == last.y ? 0 : most.y;
-    corners.alpha = int[2](least.x, most.x);
-    corners.row = int[2](epipolar_column(least.y, 0), epipolar_column(most.y, 0));
-    corners.nearer = float[2](1.0 - beyond.x, beyond.x);
-    corners.share = float[2](1.0 - beyond.y, beyond.y);
+    Between rows = query_between(place);
+    corners.alpha = int[2](rows.least.x, rows.most.x);
+    corners.row = int[2](epipolar_column(rows.least.y, 0), epipolar_column(rows.most.y, 0));
+    corners.nearer = float[2](1.0 - rows.beyond.x, rows.beyond.x);
+    corners.share = float[2](1.0 - rows.beyond.y, rows.beyond.y);
 #else
     ivec2 row = clamp(ivec2(place), ivec2(0), epipolar_count.xy - 1);
     corners.alpha[0] = row.x;

@@ -51,6 +51,20 @@ Row query_row(Query query, vec2 beside)
     return row;
 }
 
+// The four rows about a place (α, θ), in voxels: a row stands for the middle of its own. Round a whole turn the first slice follows the last.
+struct Between { ivec2 least, most; vec2 beyond; }; // beyond: how much of the way to `most`
+
+Between query_between(vec2 place)
+{
+    place -= 0.5;
+    vec2 below = floor(place);
+    bool round_trip = epipolar_span.y > 2.0 * EPIPOLAR_PI - 1e-4;
+    ivec2 last = epipolar_count.xy - 1, least = clamp(ivec2(below), ivec2(0), last), most = clamp(ivec2(below) + 1, ivec2(0), last);
+    least.y = round_trip && below.y < 0.0 ? last.y : least.y;
+    most.y = round_trip && int(below.y) == last.y ? 0 : most.y;
+    return Between(least, most, place - below);
+}
+
 // 128 visibilities along a view ray by one fetch; a set bit is in shadow.
 uvec4 query_texel(Row row, int quarter)
 {

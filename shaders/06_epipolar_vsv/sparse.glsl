@@ -4,8 +4,7 @@
 
 const vec4 SPARSE_NONE = vec4(0.0, 0.0, 0.0, -1e9); // a row that speaks for no pixel
 
-// Pixels that ask for themselves, and how many groups of 64 that makes, in rows of SPARSE_WIDE: OpenGL promises 65535 a dimension.
-const uint SPARSE_WIDE = 256u;
+// Pixels that ask for themselves, and how many groups of 64 that makes, in rows of SPARSE_WIDE (defined by sparse.c): OpenGL promises 65535 a dimension.
 layout(std430, binding = 6) buffer Left { uint left_wide, left_high, left_deep, left; uint left_pixel[]; };
 
 // Airlight goes as 1/D with the light's distance from the ray; times D it is smooth, but for rays through the light's radius, where the inverse square is held.

@@ -7,7 +7,7 @@
 
 void main()
 {
-    uint at = (gl_WorkGroupID.y * SPARSE_WIDE + gl_WorkGroupID.x) * 64u + gl_LocalInvocationIndex;
+    uint at = (gl_WorkGroupID.y * uint(SPARSE_WIDE) + gl_WorkGroupID.x) * 64u + gl_LocalInvocationIndex;
     if (at >= left)
         return;
     uint listed = left_pixel[at];

@@ -16,16 +16,11 @@ struct Corners {
 
 Corners corners_of(vec2 place)
 {
-    place -= 0.5; // a row stands for the middle of its voxels
-    vec2 below = floor(place), beyond = place - below;
-    bool round_trip = epipolar_span.y > 2.0 * EPIPOLAR_PI - 1e-4; // the first slice follows the last
-    ivec2 last = epipolar_count.xy - 1, least = clamp(ivec2(below), ivec2(0), last), most = clamp(ivec2(below) + 1, ivec2(0), last);
-    least.y = round_trip && below.y < 0.0 ? last.y : least.y;
-    most.y = round_trip && int(below.y) == last.y ? 0 : most.y;
-    vec2 before = 1.0 - beyond;
+    Between at = query_between(place);
+    vec2 beyond = at.beyond, before = 1.0 - beyond;
     Corners corners;
-    corners.row = vec4[](imageLoad(rows, least.yx), imageLoad(rows, ivec2(least.y, most.x)), imageLoad(rows, ivec2(most.y, least.x)), imageLoad(rows, most.yx));
-    corners.between = place.x >= 0.0;
+    corners.row = vec4[](imageLoad(rows, at.least.yx), imageLoad(rows, ivec2(at.least.y, at.most.x)), imageLoad(rows, ivec2(at.most.y, at.least.x)), imageLoad(rows, at.most.yx));
+    corners.between = place.x >= 0.5;
     corners.share = vec4(before.x, beyond.x, before.x, beyond.x) * vec4(before.yy, beyond.yy);
     return corners;
 }
@@ -49,7 +44,7 @@ void main()
     bool found = all > SHARE && abs(dot(share, off)) <= all * alike && corners.between && sparse_outside(ray);
     if (!found || EVERYTHING == 1) {
         uint at = atomicAdd(left, 1u);
-        if ((at & (64u * SPARSE_WIDE - 1u)) == 0u)
+        if ((at & (64u * uint(SPARSE_WIDE) - 1u)) == 0u)
             atomicAdd(left_high, 1u);
         left_pixel[at] = uint(found) << 31 | uint(pixel.y) << 16 | uint(pixel.x);
     }
