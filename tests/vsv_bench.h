@@ -73,4 +73,14 @@ static inline ImageError bench_error(const Bench *bench, const Image *expected)
     return error;
 }
 
+// Light at the eye: φ is the same along a ray, so that sums or spans over it say nothing; pixels ask by runs. Closes the bench.
+static inline void bench_check_light_at_the_eye(Bench *bench)
+{
+    bench->scene->lights[0].position = bench->scene->camera.eye;
+    Image exact = bench_segments(bench, true);
+    cr_assert_lt(bench_error(bench, &exact).nrmse, 1e-3);
+    image_free(&exact);
+    bench_close(bench);
+}
+
 #endif

@@ -51,6 +51,7 @@ Row query_row(Query query, vec2 beside)
     return row;
 }
 
+//[four
 // The four rows about a place (α, θ), in voxels: a row stands for the middle of its own. Round a whole turn the first slice follows the last.
 struct Between { ivec2 least, most; vec2 beyond; }; // beyond: how much of the way to `most`
 
@@ -64,6 +65,7 @@ Between query_between(vec2 place)
     most.y = round_trip && int(below.y) == last.y ? 0 : most.y;
     return Between(least, most, place - below);
 }
+//]
 
 // 128 visibilities along a view ray by one fetch; a set bit is in shadow.
 uvec4 query_texel(Row row, int quarter)
